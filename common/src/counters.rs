@@ -1,0 +1,45 @@
+//! What was done while tracing, counted: the figures behind `-stats` and behind every skip.
+
+use std::ops::AddAssign;
+
+/// Counts of traced and skipped work. Each thread counts for itself; sums do not depend on the
+/// number of threads or the order of tiles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Camera, mirrored and refracted rays.
+    pub rays: u64,
+    /// Rays towards lights.
+    pub shadow_rays: u64,
+    /// Primitive tests asked of any structure; groups and transforms do not count, and a
+    /// primitive tested eight at a time counts like one tested alone.
+    pub intersections: u64,
+    /// Grid cells (or tree nodes) stepped through.
+    pub cells: u64,
+    /// Candidates that passed the single-precision filter and were decided in double precision.
+    pub exact_tests: u64,
+    /// Shadow rays not traced because the light faces away from the surface.
+    pub skipped_shadow_behind: u64,
+    /// Shadow rays not traced because the light gives nothing there.
+    pub skipped_shadow_dark: u64,
+    /// Mirrored and refracted rays not made because their colour is black.
+    pub skipped_black_secondary: u64,
+    /// Mirrored and refracted rays dropped by the cut-off weight.
+    pub skipped_below_weight: u64,
+    /// Camera rays not traced because their tile cannot see any object.
+    pub skipped_empty_tile: u64,
+}
+
+impl AddAssign for Counters {
+    fn add_assign(&mut self, other: Self) {
+        self.rays += other.rays;
+        self.shadow_rays += other.shadow_rays;
+        self.intersections += other.intersections;
+        self.cells += other.cells;
+        self.exact_tests += other.exact_tests;
+        self.skipped_shadow_behind += other.skipped_shadow_behind;
+        self.skipped_shadow_dark += other.skipped_shadow_dark;
+        self.skipped_black_secondary += other.skipped_black_secondary;
+        self.skipped_below_weight += other.skipped_below_weight;
+        self.skipped_empty_tile += other.skipped_empty_tile;
+    }
+}

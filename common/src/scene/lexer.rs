@@ -1,0 +1,1 @@
+//! Tokens of the scene format, with their positions.

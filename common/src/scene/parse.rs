@@ -1,0 +1,1 @@
+//! Recursive-descent parser of the scene format.
