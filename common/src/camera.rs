@@ -1,1 +1,198 @@
-//! (being written)
+//! Cameras that make rays, and what a part of the picture can see.
+
+use crate::math::{Bounds, DVec3, Interval};
+use crate::ray::Ray;
+use crate::scene::{CameraKind, CameraSpec};
+
+/// The grid of pixels laid over the unit screen square.
+///
+/// Pixels are square; the unit square spans the larger side of the picture and is cropped
+/// symmetrically on the smaller one. Row 0 is at the bottom.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PixelGrid {
+    /// Pixels per row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+}
+
+impl PixelGrid {
+    /// Screen position of the point (x, y) given in pixels from the lower left corner: the
+    /// centre of pixel (i, j) is at (i + ½, j + ½).
+    #[inline]
+    pub fn screen(&self, x: f64, y: f64) -> (f64, f64) {
+        let (w, h) = (f64::from(self.width), f64::from(self.height));
+        let scale = w.max(h);
+        ((x - w / 2.0) / scale + 0.5, (y - h / 2.0) / scale + 0.5)
+    }
+}
+
+/// A camera with its frame worked out, in `f64`; rays are rounded to `f32` once.
+#[derive(Clone, Copy, Debug)]
+pub struct Camera {
+    kind: CameraKind,
+    center: DVec3,
+    direction: DVec3,
+    right: DVec3,
+    up: DVec3,
+    /// Where hits of its rays count: everything for an orthographic camera, which also sees
+    /// what lies behind its centre; what is in front for a perspective one.
+    pub interval: Interval,
+}
+
+impl Camera {
+    /// Works out the frame. The parser has made sure that `up` is not parallel to `direction`.
+    pub fn new(spec: &CameraSpec) -> Self {
+        let direction = spec.direction.normalize();
+        let right = direction.cross(spec.up).normalize();
+        let up = right.cross(direction).normalize();
+        let frame = |spread: f64| (right * spread, up * spread);
+        let ((right, up), interval) = match spec.kind {
+            CameraKind::Orthographic { size } => (frame(size), Interval::ALL),
+            CameraKind::Perspective { angle } => (
+                frame(2.0 * (angle.to_radians() / 2.0).tan()),
+                Interval::FORWARD,
+            ),
+        };
+        Self {
+            kind: spec.kind,
+            center: spec.center,
+            direction,
+            right,
+            up,
+            interval,
+        }
+    }
+
+    /// The ray through a point of the unit screen square; its direction has unit length.
+    #[inline]
+    pub fn ray(&self, (x, y): (f64, f64)) -> Ray {
+        let offset = self.right * (x - 0.5) + self.up * (y - 0.5);
+        match self.kind {
+            CameraKind::Orthographic { .. } => {
+                Ray::new((self.center + offset).as_vec3(), self.direction.as_vec3())
+            }
+            CameraKind::Perspective { .. } => Ray::new(
+                self.center.as_vec3(),
+                (self.direction + offset).normalize().as_vec3(),
+            ),
+        }
+    }
+
+    /// Whether some ray through the screen rectangle from `low` to `high` may meet the box.
+    /// Says "yes" when in doubt: the rays' rounding to `f32` is allowed for.
+    pub fn may_see(&self, low: (f64, f64), high: (f64, f64), bounds: &Bounds) -> bool {
+        let corners = bounds.corners().map(|c| c.as_dvec3() - self.center);
+        let reach = corners
+            .iter()
+            .fold(self.center.abs().max_element(), |m, c| m.max(c.length()));
+        let slack = reach * 2f64.powi(-20);
+        let beyond =
+            |normal: DVec3, from: DVec3| corners.iter().all(|c| normal.dot(*c - from) < -slack);
+        let at = |x: f64, y: f64| self.right * (x - 0.5) + self.up * (y - 0.5);
+        let (low_edge, high_edge) = (at(low.0, low.1), at(high.0, high.1));
+        let (right, up) = (self.right.normalize(), self.up.normalize());
+        if let CameraKind::Orthographic { .. } = self.kind {
+            return !(beyond(right, low_edge)
+                || beyond(up, low_edge)
+                || beyond(-right, high_edge)
+                || beyond(-up, high_edge));
+        }
+        // Side planes pass through the eye; their normals point into the frustum.
+        let side = |edge: DVec3, along: DVec3| (self.direction + edge).cross(along).normalize();
+        let inward = [
+            side(low_edge, up),
+            -side(low_edge, right),
+            -side(high_edge, up),
+            side(high_edge, right),
+            self.direction,
+        ];
+        !inward.into_iter().any(|n| beyond(n, DVec3::ZERO))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Vec3;
+    use crate::scene::{Position, Screen};
+
+    fn camera(kind: CameraKind) -> Camera {
+        Camera::new(&CameraSpec {
+            center: DVec3::new(1.0, 2.0, 10.0),
+            direction: DVec3::new(0.0, 0.0, -3.0),
+            up: DVec3::new(0.5, 2.0, 0.25),
+            kind,
+            lens: None,
+            screen: Screen::Flat,
+            position: Position { line: 1, column: 1 },
+        })
+    }
+
+    #[test]
+    fn pixels_are_square_and_centred() {
+        let grid = PixelGrid {
+            width: 4,
+            height: 2,
+        };
+        assert_eq!(grid.screen(2.0, 1.0), (0.5, 0.5));
+        assert_eq!(grid.screen(0.5, 0.5), (0.125, 0.375));
+    }
+
+    #[test]
+    fn frames_are_right_handed() {
+        let c = camera(CameraKind::Orthographic { size: 4.0 });
+        let (center, ray) = (c.ray((0.5, 0.5)), c.ray((1.0, 0.5)));
+        assert_eq!(center.direction, Vec3::NEG_Z);
+        assert!(
+            (ray.origin - center.origin).dot(Vec3::X) > 1.9,
+            "right is +x when looking along -z"
+        );
+        assert!((c.ray((0.5, 1.0)).origin - center.origin).dot(Vec3::Y) > 1.9);
+    }
+
+    #[test]
+    fn perspective_angle_is_the_full_field() {
+        let c = camera(CameraKind::Perspective { angle: 60.0 });
+        let edge = (c.ray((0.0, 0.5)).direction, c.ray((1.0, 0.5)).direction);
+        assert!((edge.0.dot(edge.1) - 0.5).abs() < 1e-6);
+        assert!((edge.0.length() - 1.0).abs() < 1e-6);
+    }
+
+    /// A rectangle that "cannot see" a box has no ray that enters it; and the test is not idle.
+    #[test]
+    fn may_see_never_denies_a_hit() {
+        let grid = PixelGrid {
+            width: 32,
+            height: 32,
+        };
+        for kind in [
+            CameraKind::Orthographic { size: 4.0 },
+            CameraKind::Perspective { angle: 25.0 },
+        ] {
+            let (c, mut denied) = (camera(kind), 0);
+            let bounds = Bounds {
+                min: Vec3::new(0.5, 1.5, -1.0),
+                max: Vec3::new(1.3, 2.1, 0.0),
+            };
+            for (i, j) in
+                (0..8).flat_map(|i| (0..8).map(move |j| (f64::from(i) * 4.0, f64::from(j) * 4.0)))
+            {
+                let sees = c.may_see(grid.screen(i, j), grid.screen(i + 4.0, j + 4.0), &bounds);
+                denied += u32::from(!sees);
+                let enters = (0..=8)
+                    .flat_map(|a| (0..=8).map(move |b| (a, b)))
+                    .any(|(a, b)| {
+                        let ray =
+                            c.ray(grid.screen(i + f64::from(a) / 2.0, j + f64::from(b) / 2.0));
+                        (0..500).any(|k| {
+                            let p = ray.at(9.0 + f64::from(k) * 0.01).as_vec3();
+                            p.cmpge(bounds.min).all() && p.cmple(bounds.max).all()
+                        })
+                    });
+                assert!(sees || !enters, "{kind:?} tile {i} {j}");
+            }
+            assert!(denied > 30, "{kind:?}: {denied}");
+        }
+    }
+}

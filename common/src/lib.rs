@@ -17,4 +17,5 @@ pub mod picture;
 pub mod ray;
 pub mod scene;
 pub mod shape;
+pub mod simd;
 pub mod tiles;

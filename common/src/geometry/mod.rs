@@ -1,1 +1,201 @@
-//! (being written)
+//! The scene prepared for tracing: transforms composed and baked, one flat list of primitives.
+//!
+//! A *primitive* is one sphere, one plane or one triangle. Primitives are numbered in file
+//! order; the number ([`Hit::primitive`]) breaks ties between equal t, so that every structure
+//! names the same one. Corners of triangles are taken to world space in `f64` and rounded to
+//! `f32` once, so shared corners stay shared; spheres under similarities and planes under any
+//! map stay what they are; only a sphere under a general map keeps its matrix.
+
+mod build;
+mod surface;
+
+pub use build::GeometryError;
+pub use surface::Surface;
+
+use crate::math::{Bounds, Interval, Vec3};
+use crate::shape::ellipsoid::Ellipsoid;
+use crate::shape::plane::{self, Plane};
+use crate::shape::sphere::{self, Sphere};
+use crate::shape::{ExactRay, triangle};
+
+/// What traversal carries of a hit: the least from which all else can be worked out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Ray parameter in units of the ray's direction.
+    pub t: f32,
+    /// Number of the primitive in file order.
+    pub primitive: u32,
+    /// Barycentric weight of a triangle's second corner; 0 for other primitives.
+    pub u: f32,
+    /// Barycentric weight of a triangle's third corner; 0 for other primitives.
+    pub v: f32,
+}
+
+impl Hit {
+    /// Whether this hit comes before `other`: smaller t, or the same t and a smaller number.
+    #[inline]
+    pub fn precedes(&self, other: Option<&Hit>) -> bool {
+        other.is_none_or(|o| self.t < o.t || (self.t == o.t && self.primitive < o.primitive))
+    }
+}
+
+/// A finite primitive that is not a triangle.
+#[derive(Clone, Debug)]
+pub struct Solid {
+    /// Its number.
+    pub primitive: u32,
+    /// Its geometry in world space.
+    pub shape: SolidShape,
+    /// Its box: exact for a sphere that stands under no transform, else the box around the
+    /// eight transformed corners of its own box, as the course's grid wants it.
+    pub bounds: Bounds,
+    /// Whether it stands under a `Transform`, even one that does nothing.
+    pub transformed: bool,
+}
+
+/// The kinds of [`Solid`].
+#[derive(Clone, Debug)]
+pub enum SolidShape {
+    /// A sphere in world space.
+    Sphere(Sphere),
+    /// A sphere under a general affine map.
+    Ellipsoid(Box<Ellipsoid>),
+}
+
+/// A plane or disc with its number.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    /// Its number.
+    pub primitive: u32,
+    /// Its geometry in world space.
+    pub plane: Plane,
+}
+
+/// A run of primitives that came from one shape of the file.
+#[derive(Clone, Debug)]
+pub(crate) struct Run {
+    /// Number of the first primitive.
+    pub first: u32,
+    /// Position of the first in the array of its kind.
+    pub start: u32,
+    /// Which array.
+    pub kind: RunKind,
+    /// Index into the scene's materials.
+    pub material: u32,
+}
+
+/// The arrays that primitives are kept in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum RunKind {
+    Triangle,
+    Solid,
+    Sheet,
+}
+
+/// All primitives of a scene in world space.
+#[derive(Clone, Debug, Default)]
+pub struct Geometry {
+    pub(crate) triangles: Vec<[Vec3; 3]>,
+    pub(crate) triangle_numbers: Vec<u32>,
+    pub(crate) solids: Vec<Solid>,
+    pub(crate) sheets: Vec<Sheet>,
+    pub(crate) runs: Vec<Run>,
+    pub(crate) bounds: Option<Bounds>,
+}
+
+impl Geometry {
+    /// Corners of every triangle, in order of their numbers.
+    pub fn triangles(&self) -> &[[Vec3; 3]] {
+        &self.triangles
+    }
+
+    /// The number of each of [`Geometry::triangles`]; increasing.
+    pub fn triangle_numbers(&self) -> &[u32] {
+        &self.triangle_numbers
+    }
+
+    /// Spheres and ellipsoids.
+    pub fn solids(&self) -> &[Solid] {
+        &self.solids
+    }
+
+    /// Planes and discs; they belong to no box.
+    pub fn sheets(&self) -> &[Sheet] {
+        &self.sheets
+    }
+
+    /// How many primitives there are of all kinds.
+    pub fn len(&self) -> usize {
+        self.triangles.len() + self.solids.len() + self.sheets.len()
+    }
+
+    /// Whether there is nothing to hit.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The box of the finite primitives; `None` if there are none.
+    pub fn bounds(&self) -> Option<Bounds> {
+        self.bounds
+    }
+
+    /// Tests one of [`Geometry::solids`].
+    #[inline]
+    pub fn hit_solid(&self, index: usize, ray: &ExactRay, interval: Interval) -> Option<Hit> {
+        let solid = &self.solids[index];
+        let [near, far] = match &solid.shape {
+            SolidShape::Sphere(s) => sphere::intersect(ray, s)?,
+            SolidShape::Ellipsoid(e) => e.intersect(ray)?,
+        };
+        let t = [near as f32, far as f32]
+            .into_iter()
+            .find(|&t| interval.contains(t))?;
+        Some(Hit {
+            t,
+            primitive: solid.primitive,
+            u: 0.0,
+            v: 0.0,
+        })
+    }
+
+    /// Tests one of [`Geometry::sheets`].
+    #[inline]
+    pub fn hit_sheet(&self, index: usize, ray: &ExactRay, interval: Interval) -> Option<Hit> {
+        let sheet = &self.sheets[index];
+        let t = plane::intersect(ray, &sheet.plane)? as f32;
+        interval.contains(t).then_some(Hit {
+            t,
+            primitive: sheet.primitive,
+            u: 0.0,
+            v: 0.0,
+        })
+    }
+
+    /// Where a primitive is kept: its run and its position in the array of its kind.
+    pub(crate) fn locate(&self, primitive: u32) -> (&Run, usize) {
+        let run = &self.runs[self.runs.partition_point(|r| r.first <= primitive) - 1];
+        (run, (run.start + primitive - run.first) as usize)
+    }
+
+    /// Index into the scene's materials.
+    pub fn material(&self, primitive: u32) -> u32 {
+        self.locate(primitive).0.material
+    }
+}
+
+/// Tests one triangle; `primitive` is put into the hit as it is.
+#[inline]
+pub fn hit_triangle(
+    vertices: &[Vec3; 3],
+    primitive: u32,
+    ray: &ExactRay,
+    interval: Interval,
+) -> Option<Hit> {
+    let hit = triangle::intersect(ray, vertices)?;
+    interval.contains(hit.t).then_some(Hit {
+        t: hit.t,
+        primitive,
+        u: hit.u,
+        v: hit.v,
+    })
+}

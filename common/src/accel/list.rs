@@ -1,0 +1,205 @@
+//! Brute force: every primitive is asked, triangles eight at a time.
+
+use super::Accel;
+use crate::counters::Counters;
+use crate::geometry::{Geometry, Hit, hit_triangle};
+use crate::math::{Bounds, Interval};
+use crate::ray::Ray;
+use crate::shape::ExactRay;
+use crate::shape::triangle_block::{Filter, LANES, TriangleBlock};
+use crate::simd::{self, Simd, dispatch};
+
+/// All primitives in a row. The right structure for a handful, and the oracle for the others.
+pub struct List<'g> {
+    geometry: &'g Geometry,
+    blocks: Vec<TriangleBlock>,
+    triangle_bounds: Bounds,
+}
+
+impl<'g> List<'g> {
+    /// Packs the triangles into blocks.
+    pub fn new(geometry: &'g Geometry) -> Self {
+        let numbered: Vec<(u32, _)> = geometry
+            .triangle_numbers()
+            .iter()
+            .copied()
+            .zip(geometry.triangles().iter().copied())
+            .collect();
+        let blocks = numbered
+            .chunks(LANES)
+            .map(|c| TriangleBlock::pack(c.iter().copied()))
+            .collect();
+        let triangle_bounds = Bounds::of_points(geometry.triangles().iter().flatten().copied());
+        Self {
+            geometry,
+            blocks,
+            triangle_bounds,
+        }
+    }
+
+    /// Hits of spheres, planes and discs, in order of their kind.
+    fn others<'a>(
+        &'a self,
+        ray: &'a ExactRay,
+        interval: Interval,
+    ) -> impl Iterator<Item = Hit> + 'a {
+        let solids = (0..self.geometry.solids().len())
+            .filter_map(move |i| self.geometry.hit_solid(i, ray, interval));
+        let sheets = (0..self.geometry.sheets().len())
+            .filter_map(move |i| self.geometry.hit_sheet(i, ray, interval));
+        solids.chain(sheets)
+    }
+
+    fn count_others(&self) -> u64 {
+        (self.geometry.solids().len() + self.geometry.sheets().len()) as u64
+    }
+}
+
+impl Accel for List<'_> {
+    fn nearest(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> Option<Hit> {
+        if !ray.is_usable() {
+            return None;
+        }
+        let exact = ExactRay::new(ray);
+        counters.intersections += self.geometry.len() as u64;
+        let mut best = None;
+        for hit in self.others(&exact, interval) {
+            if hit.precedes(best.as_ref()) {
+                best = Some(hit);
+            }
+        }
+        if !self.blocks.is_empty() {
+            let filter = Filter::new(ray, &self.triangle_bounds);
+            let job = Job {
+                filter: &filter,
+                exact: &exact,
+                interval,
+            };
+            best = dispatch!(simd::level(), s => job.nearest(s, &self.blocks, best, counters));
+        }
+        best
+    }
+
+    fn any(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> bool {
+        if !ray.is_usable() {
+            return false;
+        }
+        let exact = ExactRay::new(ray);
+        counters.intersections += self.count_others();
+        if self.others(&exact, interval).next().is_some() {
+            return true;
+        }
+        if self.blocks.is_empty() {
+            return false;
+        }
+        let filter = Filter::new(ray, &self.triangle_bounds);
+        let job = Job {
+            filter: &filter,
+            exact: &exact,
+            interval,
+        };
+        dispatch!(simd::level(), s => job.any(s, &self.blocks, counters))
+    }
+
+    fn geometry(&self) -> &Geometry {
+        self.geometry
+    }
+
+    fn validate(&self) -> Result<(), String> {
+        let packed: Vec<u32> = self
+            .blocks
+            .iter()
+            .flat_map(|b| b.index[..b.len as usize].to_vec())
+            .collect();
+        if packed != self.geometry.triangle_numbers() {
+            return Err("the blocks do not hold every triangle once, in order".to_owned());
+        }
+        let lanes = self
+            .blocks
+            .iter()
+            .flat_map(|b| (0..b.len as usize).map(|l| b.vertices(l)));
+        match lanes
+            .zip(self.geometry.triangles())
+            .position(|(a, b)| a != *b)
+        {
+            Some(i) => Err(format!("triangle {i} was changed in packing")),
+            None => Ok(()),
+        }
+    }
+}
+
+/// One ray against blocks of triangles: the part that runs with the chosen instructions.
+/// Other structures use it for their leaves.
+pub struct Job<'a> {
+    /// The ray, prepared for the filter.
+    pub filter: &'a Filter,
+    /// The ray, prepared for the exact test.
+    pub exact: &'a ExactRay,
+    /// Where hits count.
+    pub interval: Interval,
+}
+
+impl Job<'_> {
+    /// The better of `best` and the nearest hit in the blocks.
+    #[inline(always)]
+    pub fn nearest<S: Simd>(
+        &self,
+        simd: S,
+        blocks: &[TriangleBlock],
+        mut best: Option<Hit>,
+        counters: &mut Counters,
+    ) -> Option<Hit> {
+        for block in blocks {
+            // Up to and including the best t: an equal t with a lower number still wins.
+            let max = best.map_or(self.interval.max, |b: Hit| b.t);
+            let mut lanes = block.candidates(
+                simd,
+                self.filter,
+                Interval {
+                    max,
+                    ..self.interval
+                },
+            );
+            counters.exact_tests += u64::from(lanes.count_ones());
+            while lanes != 0 {
+                let lane = lanes.trailing_zeros() as usize;
+                lanes &= lanes - 1;
+                let hit = hit_triangle(
+                    &block.vertices(lane),
+                    block.index[lane],
+                    self.exact,
+                    self.interval,
+                );
+                if let Some(hit) = hit.filter(|h| h.precedes(best.as_ref())) {
+                    best = Some(hit);
+                }
+            }
+        }
+        best
+    }
+
+    /// Whether any triangle of the blocks is hit.
+    #[inline(always)]
+    pub fn any<S: Simd>(&self, simd: S, blocks: &[TriangleBlock], counters: &mut Counters) -> bool {
+        for block in blocks {
+            counters.intersections += u64::from(block.len);
+            let mut lanes = block.candidates(simd, self.filter, self.interval);
+            counters.exact_tests += u64::from(lanes.count_ones());
+            while lanes != 0 {
+                let lane = lanes.trailing_zeros() as usize;
+                lanes &= lanes - 1;
+                if hit_triangle(
+                    &block.vertices(lane),
+                    block.index[lane],
+                    self.exact,
+                    self.interval,
+                )
+                .is_some()
+                {
+                    return true;
+                }
+            }
+        }
+        false
+    }
+}

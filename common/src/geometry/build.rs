@@ -1,0 +1,247 @@
+//! From the scene as written to primitives in world space.
+
+use super::{Geometry, Run, RunKind, Sheet, Solid, SolidShape};
+use crate::math::affine::AffineKind;
+use crate::math::{Affine, Bounds, DMat4, DVec3, Vec3};
+use crate::mesh::Mesh;
+use crate::scene::{Disc, Node, NodeKind, Position, Scene, ShapeSpec};
+use crate::shape::ellipsoid::Ellipsoid;
+use crate::shape::plane::Plane;
+use crate::shape::sphere::Sphere;
+
+/// A shape that cannot be placed in the world.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{}:{}: {message}", position.line, position.column)]
+pub struct GeometryError {
+    /// Where its keyword stands in the scene file.
+    pub position: Position,
+    /// What is wrong.
+    pub message: String,
+}
+
+/// Where a node stands in the world.
+#[derive(Clone, Copy)]
+struct Placement {
+    matrix: DMat4,
+    transformed: bool,
+}
+
+impl Geometry {
+    /// Composes all transforms in `f64` and bakes every shape.
+    ///
+    /// # Errors
+    /// If a composed transform has no inverse, or takes a shape beyond the range of `f32`.
+    pub fn build(scene: &Scene) -> Result<Self, GeometryError> {
+        let mut geometry = Self::default();
+        let mut placements: Vec<Placement> = Vec::with_capacity(scene.nodes.len());
+        for node in &scene.nodes {
+            let placement = place(node, &placements);
+            placements.push(placement);
+            if let NodeKind::Shape { shape, material } = &node.kind {
+                geometry.add(scene, node, shape, *material, &placement)?;
+            }
+        }
+        geometry.bounds = geometry.finite_bounds();
+        Ok(geometry)
+    }
+
+    fn add(
+        &mut self,
+        scene: &Scene,
+        node: &Node,
+        shape: &ShapeSpec,
+        material: u32,
+        placement: &Placement,
+    ) -> Result<(), GeometryError> {
+        let error = |message: &str| GeometryError {
+            position: node.position,
+            message: message.to_owned(),
+        };
+        let to_world = Affine::from_matrix(&placement.matrix).ok_or_else(|| {
+            error("the transforms around this shape multiply to a matrix without inverse")
+        })?;
+        let first =
+            u32::try_from(self.len()).map_err(|_| error("more than 4294967295 primitives"))?;
+        let (kind, start) = match shape {
+            ShapeSpec::Sphere { center, radius } => {
+                let solid = bake_sphere(*center, *radius, &to_world, placement.transformed, first);
+                let fits = solid.bounds.min.is_finite() && solid.bounds.max.is_finite();
+                self.solids.push(solid);
+                (RunKind::Solid, fits.then_some(self.solids.len() - 1))
+            }
+            ShapeSpec::Plane {
+                normal,
+                offset,
+                disc,
+            } => {
+                let mut plane = bake_plane(*normal, *offset, &to_world);
+                if let Some(disc) = disc {
+                    let baked = bake_disc(disc, *normal, *offset, &to_world);
+                    plane.disc =
+                        Some(baked.ok_or_else(|| error("a disc can only be scaled evenly"))?);
+                }
+                self.sheets.push(Sheet {
+                    primitive: first,
+                    plane,
+                });
+                (RunKind::Sheet, Some(self.sheets.len() - 1))
+            }
+            ShapeSpec::Triangle { vertices } => (
+                RunKind::Triangle,
+                self.add_triangles(first, &to_world, std::iter::once(*vertices)),
+            ),
+            ShapeSpec::Mesh { mesh, .. } => {
+                let mesh = &scene.meshes[*mesh as usize];
+                (RunKind::Triangle, self.add_mesh(first, &to_world, mesh))
+            }
+        };
+        let start =
+            start.ok_or_else(|| error("this shape lies beyond the range of single precision"))?;
+        self.runs.push(Run {
+            first,
+            start: start as u32,
+            kind,
+            material,
+        });
+        Ok(())
+    }
+
+    /// Bakes the mesh's vertices once each, then its triangles.
+    fn add_mesh(&mut self, first: u32, to_world: &Affine, mesh: &Mesh) -> Option<usize> {
+        let world: Vec<Vec3> = match to_world.kind {
+            AffineKind::Identity => mesh.positions.clone(),
+            _ => mesh
+                .positions
+                .iter()
+                .map(|p| to_world.point(p.as_dvec3()).as_vec3())
+                .collect(),
+        };
+        let order = winding(to_world);
+        let start = self.triangles.len();
+        self.triangles.extend(
+            mesh.triangles
+                .iter()
+                .map(|t| order.map(|k| world[t[k] as usize])),
+        );
+        self.number_triangles(start, first);
+        world.iter().all(|p| p.is_finite()).then_some(start)
+    }
+
+    fn add_triangles(
+        &mut self,
+        first: u32,
+        to_world: &Affine,
+        triangles: impl Iterator<Item = [DVec3; 3]>,
+    ) -> Option<usize> {
+        let order = winding(to_world);
+        let start = self.triangles.len();
+        self.triangles
+            .extend(triangles.map(|t| order.map(|k| to_world.point(t[k]).as_vec3())));
+        self.number_triangles(start, first);
+        self.triangles[start..]
+            .iter()
+            .flatten()
+            .all(|p| p.is_finite())
+            .then_some(start)
+    }
+
+    fn number_triangles(&mut self, start: usize, first: u32) {
+        let count = (self.triangles.len() - start) as u32;
+        self.triangle_numbers.extend(first..first + count);
+    }
+
+    fn finite_bounds(&self) -> Option<Bounds> {
+        let corners = Bounds::of_points(self.triangles.iter().flatten().copied());
+        let all = self.solids.iter().fold(corners, |b, s| b.union(&s.bounds));
+        (!all.is_empty()).then_some(all)
+    }
+}
+
+fn place(node: &Node, placements: &[Placement]) -> Placement {
+    let outer = node.parent.map_or(
+        Placement {
+            matrix: DMat4::IDENTITY,
+            transformed: false,
+        },
+        |p| placements[p as usize],
+    );
+    match &node.kind {
+        NodeKind::Transform(list) => Placement {
+            matrix: list.iter().fold(outer.matrix, |m, x| m * x.matrix()),
+            transformed: true,
+        },
+        _ => outer,
+    }
+}
+
+/// A mirroring map turns triangles inside out; swapping two corners turns them back, so that
+/// the world normal is M⁻ᵀ times the normal that the file meant.
+fn winding(to_world: &Affine) -> [usize; 3] {
+    if to_world.linear.determinant() < 0.0 {
+        [0, 2, 1]
+    } else {
+        [0, 1, 2]
+    }
+}
+
+fn bake_sphere(
+    center: DVec3,
+    radius: f64,
+    to_world: &Affine,
+    transformed: bool,
+    primitive: u32,
+) -> Solid {
+    let half = DVec3::splat(radius);
+    let corner = |i: usize| {
+        let side = |bit: usize| if i & bit == 0 { -1.0 } else { 1.0 };
+        to_world.point(center + half * DVec3::new(side(1), side(2), side(4)))
+    };
+    let (min, max) = (0..8)
+        .map(corner)
+        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(lo, hi), p| {
+            (lo.min(p), hi.max(p))
+        });
+    let sphere = Sphere { center, radius };
+    let shape = match to_world.kind {
+        AffineKind::Identity => SolidShape::Sphere(sphere),
+        AffineKind::Similarity { scale } => SolidShape::Sphere(Sphere {
+            center: to_world.point(center),
+            radius: radius * scale,
+        }),
+        AffineKind::General => SolidShape::Ellipsoid(Box::new(Ellipsoid {
+            sphere,
+            to_world: *to_world,
+        })),
+    };
+    Solid {
+        primitive,
+        shape,
+        bounds: Bounds::enclosing(min, max),
+        transformed,
+    }
+}
+
+/// A plane under any affine map is a plane: its normal goes with M⁻ᵀ, one of its points with M.
+fn bake_plane(normal: DVec3, offset: f64, to_world: &Affine) -> Plane {
+    let unit = normal.normalize();
+    let world_normal = to_world.normal(unit).normalize();
+    let foot = to_world.point(unit * offset);
+    Plane {
+        normal: world_normal,
+        offset: world_normal.dot(foot),
+        disc: None,
+    }
+}
+
+/// The world-space centre (on the plane) and radius of a disc; `None` under a map that does not
+/// scale evenly, which would make it an ellipse.
+fn bake_disc(disc: &Disc, normal: DVec3, offset: f64, to_world: &Affine) -> Option<(DVec3, f64)> {
+    let scale = match to_world.kind {
+        AffineKind::Identity => 1.0,
+        AffineKind::Similarity { scale } => scale,
+        AffineKind::General => return None,
+    };
+    let unit = normal.normalize();
+    let on_plane = disc.center - unit * (unit.dot(disc.center) - offset);
+    Some((to_world.point(on_plane), disc.radius * scale))
+}

@@ -1,0 +1,103 @@
+//! The point that a ray found: worked out once, for the hit that counts.
+
+use super::{Geometry, Hit, RunKind, SolidShape};
+use crate::math::{DVec3, UNIT_ROUNDOFF, Vec3, sum3};
+use crate::ray::Ray;
+use crate::shape::{plane, sphere, triangle};
+
+/// A point of a surface with what shading and secondary rays need.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// The point, in world space, on the true surface but for `error`.
+    pub point: DVec3,
+    /// How far the true surface may be from `point` rounded to `f32`, along each axis.
+    pub error: DVec3,
+    /// Unit normal on the side that the shape calls outside (front of a triangle).
+    pub normal: Vec3,
+    /// The same in `f64`, for deciding sides.
+    pub geometric_normal: DVec3,
+    /// Index into the scene's materials.
+    pub material: u32,
+}
+
+impl Surface {
+    /// Where a ray that leaves along `direction` starts: beside the surface, on the side that
+    /// the direction points to, as near as `f32` can tell apart.
+    ///
+    /// The distance comes from the error bound of this point (Ray Tracing Gems, chapter 6;
+    /// Pharr et al., PBR 4th ed., 6.8), there is no fixed epsilon: the start lies strictly on
+    /// its side of the surface, so a plane or a convex shape cannot hit itself.
+    pub fn leave(&self, direction: DVec3) -> Vec3 {
+        let n = self.geometric_normal;
+        let side = if n.dot(direction) < 0.0 { -n } else { n };
+        // Twice the bound: once for the surface, once for the rounding of the start itself.
+        let away = 2.0
+            * sum3(
+                n.x.abs() * self.error.x,
+                n.y.abs() * self.error.y,
+                n.z.abs() * self.error.z,
+            );
+        (self.point + side * away).as_vec3()
+    }
+}
+
+/// Bound of |p₃₂ − p| per axis: one rounding to `f32`, the `f64` arithmetic on coordinates of
+/// size `scale` before it, and the smallest subnormal for points at the origin.
+fn error_bound(p: DVec3, scale: f64) -> DVec3 {
+    let double_precision = scale * 2f64.powi(-48) + 2f64.powi(-149);
+    p.abs() * (UNIT_ROUNDOFF * 1.0000001) + DVec3::splat(double_precision)
+}
+
+impl Geometry {
+    /// The surface point of a hit that `ray` made.
+    pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        let (run, index) = self.locate(hit.primitive);
+        let (point, normal, scale) = match run.kind {
+            RunKind::Triangle => self.triangle_point(index, hit),
+            RunKind::Solid => self.solid_point(index, ray.at(f64::from(hit.t))),
+            RunKind::Sheet => {
+                let plane = &self.sheets[index].plane;
+                let point = plane::reproject(plane, ray.at(f64::from(hit.t)));
+                (
+                    point,
+                    plane.normal,
+                    point.abs().max_element() + plane.offset.abs(),
+                )
+            }
+        };
+        Surface {
+            point,
+            error: error_bound(point, scale),
+            normal: normal.as_vec3(),
+            geometric_normal: normal,
+            material: run.material,
+        }
+    }
+
+    fn triangle_point(&self, index: usize, hit: &Hit) -> (DVec3, DVec3, f64) {
+        let vertices = &self.triangles[index];
+        let [a, b, c] = vertices.map(|v| v.as_dvec3());
+        let (u, v) = (f64::from(hit.u), f64::from(hit.v));
+        let scale = a.abs().max(b.abs()).max(c.abs()).max_element();
+        (
+            a * (1.0 - u - v) + b * u + c * v,
+            triangle::normal(vertices),
+            scale,
+        )
+    }
+
+    fn solid_point(&self, index: usize, near: DVec3) -> (DVec3, DVec3, f64) {
+        match &self.solids[index].shape {
+            SolidShape::Sphere(s) => {
+                let point = sphere::reproject(s, near);
+                let normal = (point - s.center).normalize_or_zero();
+                (point, normal, s.center.abs().max_element() + s.radius)
+            }
+            SolidShape::Ellipsoid(e) => {
+                let (point, normal) = e.surface(near);
+                let reach = e.half_extent().max_element() + e.center().abs().max_element();
+                (point, normal, reach)
+            }
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Eight lanes at a time with run-time dispatch: the door to fearless_simd.
+//!
+//! A default build runs on any x86-64; the widest instructions the processor has are chosen at
+//! run time, once per ray or tile, with [`dispatch!`]. Nothing that decides a picture depends
+//! on the choice: vector code only discards what is certainly missed.
+
+pub use fearless_simd::{Level, Simd, SimdBase, SimdMask, dispatch, f32x8};
+use std::sync::OnceLock;
+
+static LEVEL: OnceLock<Level> = OnceLock::new();
+
+/// The instruction set in use: what [`restrict`] chose, else the best that the processor has.
+#[inline]
+pub fn level() -> Level {
+    *LEVEL.get_or_init(Level::new)
+}
+
+/// Chooses the instruction set for this process by name (`auto`, `baseline`, `sse4`, `avx2`,
+/// `avx512`); must come before the first ray.
+///
+/// # Errors
+/// If the processor lacks it, or another choice is already in use.
+pub fn restrict(name: &str) -> Result<(), String> {
+    let level = by_name(name).ok_or_else(|| format!("this processor does not offer `{name}`"))?;
+    LEVEL
+        .set(level)
+        .map_err(|_| "the instruction set was already chosen".to_owned())
+}
+
+/// The level of that name if this processor has it.
+pub fn by_name(name: &str) -> Option<Level> {
+    let best = Level::new();
+    match name {
+        "auto" => Some(best),
+        "baseline" => Some(Level::baseline()),
+        #[cfg(target_arch = "x86_64")]
+        "sse4" => best.as_sse4_2().map(Level::Sse4_2),
+        #[cfg(target_arch = "x86_64")]
+        "avx2" => best.as_avx2().map(Level::Avx2),
+        #[cfg(target_arch = "x86_64")]
+        "avx512" => best.as_avx512().map(Level::Avx512),
+        _ => None,
+    }
+}
