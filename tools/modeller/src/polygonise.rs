@@ -27,9 +27,13 @@ const TETRAHEDRA: [[usize; 4]; 6] = [
 ];
 
 /// The surface on which `f` is zero, as seen on a lattice of cells of size `step` that covers `bounds`.
-/// The surface must lie inside `bounds`; triangles face towards positive values.
+/// Triangles face towards positive values.
+///
+/// # Panics
+/// If the solid reaches the rim of the lattice, where its surface would be left open.
 pub fn polygonise(f: impl Fn(DVec3) -> f64, bounds: Bounds, step: f64) -> Mesh {
     let lattice = sample(f, bounds, step);
+    assert!(!lattice.is_cut_off(), "the solid is larger than {bounds:?}");
     // One slot for each edge that leaves a node towards a higher one: seven directions, of which number 0 stays unused.
     let mut vertex_on_edge = vec![u32::MAX; lattice.values.len() * 8];
     let mut mesh = Mesh::default();
@@ -81,6 +85,20 @@ impl Lattice {
     /// From a cell's lowest node to its corner number `corner`.
     fn offset(&self, corner: usize) -> usize {
         self.index([corner & 1, corner >> 1 & 1, corner >> 2])
+    }
+
+    /// Whether some node on the rim is inside the solid.
+    fn is_cut_off(&self) -> bool {
+        let [nx, ny, nz] = self.nodes;
+        let rim = |node: usize| {
+            let place = [
+                (node % nx, nx),
+                (node / nx % ny, ny),
+                (node / (nx * ny), nz),
+            ];
+            place.iter().any(|&(i, n)| i == 0 || i + 1 == n)
+        };
+        (0..self.values.len()).any(|node| self.values[node] < 0.0 && rim(node))
     }
 
     fn is_crossed(&self, cell: usize) -> bool {

@@ -22,8 +22,8 @@ const CELL: f64 = 0.036;
 pub fn levels<const N: usize>(counts: [usize; N]) -> [Mesh; N] {
     let solid = rabbit();
     let space = Bounds {
-        min: dvec3(-2.2, -0.3, -1.7),
-        max: dvec3(2.0, 3.6, 1.7),
+        min: dvec3(-2.1, -0.2, -1.5),
+        max: dvec3(2.1, 4.0, 1.5),
     };
     let mut mesh = polygonise(|p| solid.distance(p), space, CELL);
     relax(&mut mesh, &solid, 3);
@@ -126,6 +126,7 @@ fn trunk(solid: &mut Solid, body: &Frame) {
 fn legs(solid: &mut Solid, body: &Frame) {
     let level = dvec3(1.0, 0.0, 0.0);
     for side in [-1.0, 1.0] {
+        let outward = dvec3(1.0, 0.0, side * 0.15);
         add(
             solid,
             body,
@@ -138,10 +139,11 @@ fn legs(solid: &mut Solid, body: &Frame) {
             solid,
             body,
             dvec3(-0.12, 0.15, side * 0.88),
-            dvec3(1.0, 0.0, side * 0.15),
+            outward,
             dvec3(0.62, 0.16, 0.23),
             0.12,
         );
+        toes(solid, body, dvec3(0.38, 0.13, side * 0.96), 0.14);
         add(
             solid,
             body,
@@ -153,10 +155,27 @@ fn legs(solid: &mut Solid, body: &Frame) {
         add(
             solid,
             body,
-            dvec3(0.88, 0.14, side * 0.36),
+            dvec3(0.86, 0.14, side * 0.36),
             level,
-            dvec3(0.32, 0.15, 0.2),
+            dvec3(0.3, 0.15, 0.2),
             0.12,
+        );
+        toes(solid, body, dvec3(1.08, 0.12, side * 0.36), 0.12);
+    }
+}
+
+/// Three toes side by side, the middle one at `centre`.
+fn toes(solid: &mut Solid, body: &Frame, centre: DVec3, apart: f64) {
+    for place in [-1.0, 0.0, 1.0] {
+        let back = if place == 0.0 { 0.0 } else { -0.05 };
+        let toe = centre + dvec3(back, 0.0, place * apart);
+        add(
+            solid,
+            body,
+            toe,
+            dvec3(1.0, 0.0, 0.0),
+            dvec3(0.15, 0.11, 0.085),
+            0.025,
         );
     }
 }
@@ -183,53 +202,95 @@ fn skull(solid: &mut Solid, head: &Frame) {
         add(
             solid,
             head,
-            dvec3(0.22, -0.2, side * 0.24),
+            dvec3(0.25, -0.22, side * 0.24),
             level,
-            dvec3(0.3, 0.25, 0.24),
+            dvec3(0.3, 0.25, 0.22),
             0.15,
         );
+        eye(
+            solid,
+            head,
+            dvec3(0.28, 0.12, side * 0.38),
+            dvec3(0.35, 0.1, side),
+        );
+    }
+    // The muzzle: two soft halves, a groove between them and the nose above it.
+    for side in [-1.0, 1.0] {
         add(
             solid,
             head,
-            dvec3(0.26, 0.12, side * 0.36),
+            dvec3(0.62, -0.2, side * 0.1),
             level,
-            dvec3(0.11, 0.11, 0.1),
-            0.03,
+            dvec3(0.14, 0.12, 0.12),
+            0.05,
         );
     }
     add(
         solid,
         head,
-        dvec3(0.72, -0.04, 0.0),
+        dvec3(0.73, -0.05, 0.0),
         level,
-        dvec3(0.07, 0.06, 0.09),
-        0.05,
+        dvec3(0.07, 0.06, 0.1),
+        0.04,
     );
+}
+
+/// A ball in a shallow socket.
+fn eye(solid: &mut Solid, head: &Frame, centre: DVec3, outward: DVec3) {
+    let part = |out: f64, radii: DVec3| {
+        Ellipsoid::new(
+            head.point(centre + outward * out),
+            head.direction(outward),
+            head.up,
+            radii,
+        )
+    };
+    solid.join(part(0.12, dvec3(0.15, 0.15, 0.2)), Join::Cut(0.08));
+    solid.join(part(-0.04, dvec3(0.11, 0.11, 0.12)), Join::Add(0.015));
 }
 
 fn ears(solid: &mut Solid, head: &Frame) {
     for side in [-1.0, 1.0] {
-        let along = dvec3(-0.35, 1.0, side * 0.22);
         let root = dvec3(-0.12, 0.38, side * 0.2);
-        let middle = root + along * 0.55;
+        let low = dvec3(-0.22, 1.0, side * 0.2);
+        let high = dvec3(-0.62, 1.0, side * 0.26);
         // The ear's hollow faces forward and outward.
-        let facing = dvec3(0.75, 0.0, side * 0.65);
+        let facing = dvec3(0.72, 0.0, side * 0.7);
+        let (first, second) = (root + low * 0.42, root + low * 0.78 + high * 0.1);
         ear_part(
             solid,
             head,
-            middle,
-            along,
+            first,
+            low,
             facing,
-            dvec3(0.72, 0.13, 0.25),
+            dvec3(0.58, 0.14, 0.24),
             Join::Add(0.15),
         );
         ear_part(
             solid,
             head,
-            middle + facing * 0.14,
-            along,
+            second,
+            high,
             facing,
-            dvec3(0.56, 0.11, 0.16),
+            dvec3(0.58, 0.12, 0.25),
+            Join::Add(0.1),
+        );
+        ear_part(
+            solid,
+            head,
+            first + facing * 0.15,
+            low,
+            facing,
+            dvec3(0.5, 0.11, 0.15),
+            Join::Cut(0.06),
+        );
+        ear_part(
+            solid,
+            head,
+            second + facing * 0.13,
+            high,
+            facing,
+            dvec3(0.44, 0.1, 0.16),
             Join::Cut(0.06),
         );
     }

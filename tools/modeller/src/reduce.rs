@@ -10,7 +10,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// Share of the distance to vertices in the cost, beside the distance to planes.
-const EVENNESS: f64 = 2e-3;
+const EVENNESS: f64 = 3e-4;
 /// A triangle's normal may turn by at most 60° in one step.
 const LEAST_COSINE: f64 = 0.5;
 /// Least shape that a step may leave, from 0 for a needle to 1 for an equilateral triangle.

@@ -37,11 +37,9 @@ fn normal_at(solid: &Solid, p: DVec3) -> DVec3 {
     solid.gradient(p, DIFFERENCE).normalize_or_zero()
 }
 
-/// Two Newton steps along the gradient: enough, since the function is almost a distance.
-fn onto_surface(solid: &Solid, mut p: DVec3) -> DVec3 {
-    for _ in 0..2 {
-        let gradient = solid.gradient(p, DIFFERENCE);
-        p -= gradient * (solid.distance(p) / gradient.length_squared().max(0.25));
-    }
-    p
+/// One Newton step along the gradient: enough, since the function is almost a distance and `p` is close.
+fn onto_surface(solid: &Solid, p: DVec3) -> DVec3 {
+    let gradient = solid.gradient(p, DIFFERENCE);
+    // Where parts meet under a blend the gradient may be short; a step from there must not shoot far.
+    p - gradient * (solid.distance(p) / gradient.length_squared().max(0.25))
 }
