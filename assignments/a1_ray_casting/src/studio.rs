@@ -90,7 +90,7 @@ impl Studio {
     pub fn render(&self, args: &CastArgs, accel: &dyn Accel, layers: &[&dyn Layer]) -> (Vec<Film>, Counters) {
         let needs_hit = layers.iter().any(|l| l.needs_hit());
         let options = args.general.tile_options("rendering");
-        let rendered = render(self.size, layers.len(), &options, || (), |(), tile, counters, out| {
+        let rendered = render(self.size, layers.len(), &options, || (), |(), tile, counters: &mut Counters, out| {
             let empty = args.general.skips(Skip::Tile) && self.sees_nothing(tile);
             for (x, y) in tile.pixels() {
                 let (sx, sy) = (f64::from(x) + 0.5, f64::from(y) + 0.5);

@@ -10,10 +10,6 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug, clap::Args)]
 #[command(rename_all = "snake_case", next_help_heading = "Assignment 2: transforms and diffuse light")]
 pub struct DiffuseArgs {
-    /// Flags of assignment 1.
-    #[command(flatten)]
-    pub cast: CastArgs,
-
     /// Picture of the surface normals: |x|, |y|, |z| as red, green, blue
     #[arg(long, value_name = "PICTURE")]
     pub normals: Option<PathBuf>,
@@ -21,6 +17,10 @@ pub struct DiffuseArgs {
     /// Light surfaces seen from behind too, as if their normal pointed here; else they stay black
     #[arg(long)]
     pub shade_back: bool,
+
+    /// Flags of assignment 1.
+    #[command(flatten)]
+    pub cast: CastArgs,
 }
 
 impl DiffuseArgs {

@@ -9,10 +9,6 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug, clap::Args)]
 #[command(rename_all = "snake_case", next_help_heading = "Assignment 3: Phong shading and preview")]
 pub struct PhongArgs {
-    /// Flags of assignments 1 and 2.
-    #[command(flatten)]
-    pub diffuse: DiffuseArgs,
-
     /// Form of the highlight: half vector (the course's) or mirrored light direction
     #[arg(long, value_name = "FORM", value_enum, default_value_t)]
     pub specular: Specular,
@@ -32,6 +28,10 @@ pub struct PhongArgs {
     /// Smooth shading in the preview: colours are worked out at corners and blended between
     #[arg(long)]
     pub gouraud: bool,
+
+    /// Flags of assignments 1 and 2.
+    #[command(flatten)]
+    pub diffuse: DiffuseArgs,
 }
 
 /// How the highlight is worked out.
