@@ -49,7 +49,7 @@ pub fn levels<const N: usize>(counts: [usize; N]) -> [Mesh; N] {
 /// The whole animal.
 pub fn rabbit() -> Solid {
     let body = Frame::new(DVec3::ZERO, -DVec3::X);
-    let head = Frame::new(dvec3(-0.98, 1.86, 0.05), dvec3(-1.0, -0.16, 0.3));
+    let head = Frame::new(dvec3(-0.98, 1.86, 0.05), dvec3(-1.0, -0.12, 1.05));
     let mut solid = Solid::default();
     add_all(&mut solid, &body, &TRUNK);
     add_all(&mut solid, &body, &LEGS);
@@ -155,7 +155,7 @@ const SPLAY: [f64; 3] = [1.0, 0.0, 0.15];
 const GAZE: [f64; 3] = [0.35, 0.1, 1.0];
 /// Lower and upper half of an ear, and the side its hollow faces.
 const EAR: [f64; 3] = [-0.22, 1.0, 0.2];
-const TIP: [f64; 3] = [-0.62, 1.0, 0.26];
+const TIP: [f64; 3] = [-0.55, 1.0, 0.36];
 const HOLLOW: [f64; 3] = [0.72, 0.0, 0.7];
 
 #[rustfmt::skip]
@@ -194,7 +194,7 @@ const SKULL: [Part; 7] = [
 #[rustfmt::skip]
 const EARS: [Part; 4] = [
     /* ear       */ part([-0.21, 0.8, 0.284], EAR, HOLLOW, [0.58, 0.14, 0.24], Add(0.15), Pair),
-    /* tip       */ part([-0.354, 1.26, 0.382], TIP, HOLLOW, [0.58, 0.12, 0.25], Add(0.1), Pair),
+    /* tip       */ part([-0.354, 1.26, 0.4], TIP, HOLLOW, [0.58, 0.12, 0.25], Add(0.1), Pair),
     /* hollow    */ part([-0.12, 0.92, 0.41], EAR, HOLLOW, [0.44, 0.11, 0.15], Cut(0.06), Pair),
-    /* its tip   */ part([-0.26, 1.26, 0.473], TIP, HOLLOW, [0.44, 0.1, 0.16], Cut(0.06), Pair),
+    /* its tip   */ part([-0.26, 1.26, 0.491], TIP, HOLLOW, [0.44, 0.1, 0.16], Cut(0.06), Pair),
 ];
