@@ -39,19 +39,11 @@ impl Camera {
         let frame = |spread: f64| (right * spread, up * spread);
         let ((right, up), interval) = match spec.kind {
             CameraKind::Orthographic { size } => (frame(size), Interval::ALL),
-            CameraKind::Perspective { angle } => (
-                frame(2.0 * (angle.to_radians() / 2.0).tan()),
-                Interval::FORWARD,
-            ),
+            CameraKind::Perspective { angle } => {
+                (frame(2.0 * (angle.to_radians() / 2.0).tan()), Interval::FORWARD)
+            }
         };
-        Self {
-            kind: spec.kind,
-            center: spec.center,
-            direction,
-            right,
-            up,
-            interval,
-        }
+        Self { kind: spec.kind, center: spec.center, direction, right, up, interval }
     }
 
     /// The ray through a point of the unit screen square; its direction has unit length.
@@ -62,10 +54,9 @@ impl Camera {
             CameraKind::Orthographic { .. } => {
                 Ray::new((self.center + offset).as_vec3(), self.direction.as_vec3())
             }
-            CameraKind::Perspective { .. } => Ray::new(
-                self.center.as_vec3(),
-                (self.direction + offset).normalize().as_vec3(),
-            ),
+            CameraKind::Perspective { .. } => {
+                Ray::new(self.center.as_vec3(), (self.direction + offset).normalize().as_vec3())
+            }
         }
     }
 
@@ -73,12 +64,9 @@ impl Camera {
     /// Says "yes" when in doubt: the rays' rounding to `f32` is allowed for.
     pub fn may_see(&self, low: (f64, f64), high: (f64, f64), bounds: &Bounds) -> bool {
         let corners = bounds.corners().map(|c| c.as_dvec3() - self.center);
-        let reach = corners
-            .iter()
-            .fold(self.center.abs().max_element(), |m, c| m.max(c.length()));
+        let reach = corners.iter().fold(self.center.abs().max_element(), |m, c| m.max(c.length()));
         let slack = reach * 2f64.powi(-20);
-        let beyond =
-            |normal: DVec3, from: DVec3| corners.iter().all(|c| normal.dot(*c - from) < -slack);
+        let beyond = |normal: DVec3, from: DVec3| corners.iter().all(|c| normal.dot(*c - from) < -slack);
         let at = |x: f64, y: f64| self.right * (x - 0.5) + self.up * (y - 0.5);
         let (low_edge, high_edge) = (at(low.0, low.1), at(high.0, high.1));
         let (right, up) = (self.right.normalize(), self.up.normalize());
@@ -131,10 +119,7 @@ mod tests {
         let c = camera(CameraKind::Orthographic { size: 4.0 });
         let (center, ray) = (c.ray((0.5, 0.5)), c.ray((1.0, 0.5)));
         assert_eq!(center.direction, Vec3::NEG_Z);
-        assert!(
-            (ray.origin - center.origin).dot(Vec3::X) > 1.9,
-            "right is +x when looking along -z"
-        );
+        assert!((ray.origin - center.origin).dot(Vec3::X) > 1.9, "right is +x when looking along -z");
         assert!((c.ray((0.5, 1.0)).origin - center.origin).dot(Vec3::Y) > 1.9);
     }
 
@@ -150,30 +135,20 @@ mod tests {
     #[test]
     fn may_see_never_denies_a_hit() {
         let size = Size::new(32, 32).unwrap();
-        for kind in [
-            CameraKind::Orthographic { size: 4.0 },
-            CameraKind::Perspective { angle: 25.0 },
-        ] {
+        for kind in [CameraKind::Orthographic { size: 4.0 }, CameraKind::Perspective { angle: 25.0 }] {
             let (c, mut denied) = (camera(kind), 0);
-            let bounds = Bounds {
-                min: Vec3::new(0.5, 1.5, -1.0),
-                max: Vec3::new(1.3, 2.1, 0.0),
-            };
-            for (i, j) in
-                (0..8).flat_map(|i| (0..8).map(move |j| (f64::from(i) * 4.0, f64::from(j) * 4.0)))
-            {
-                let sees = c.may_see(screen_position(size, i, j), screen_position(size, i + 4.0, j + 4.0), &bounds);
+            let bounds = Bounds { min: Vec3::new(0.5, 1.5, -1.0), max: Vec3::new(1.3, 2.1, 0.0) };
+            for (i, j) in (0..8).flat_map(|i| (0..8).map(move |j| (f64::from(i) * 4.0, f64::from(j) * 4.0))) {
+                let sees =
+                    c.may_see(screen_position(size, i, j), screen_position(size, i + 4.0, j + 4.0), &bounds);
                 denied += u32::from(!sees);
-                let enters = (0..=8)
-                    .flat_map(|a| (0..=8).map(move |b| (a, b)))
-                    .any(|(a, b)| {
-                        let ray =
-                            c.ray(screen_position(size, i + f64::from(a) / 2.0, j + f64::from(b) / 2.0));
-                        (0..500).any(|k| {
-                            let p = ray.at(9.0 + f64::from(k) * 0.01).as_vec3();
-                            p.cmpge(bounds.min).all() && p.cmple(bounds.max).all()
-                        })
-                    });
+                let enters = (0..=8).flat_map(|a| (0..=8).map(move |b| (a, b))).any(|(a, b)| {
+                    let ray = c.ray(screen_position(size, i + f64::from(a) / 2.0, j + f64::from(b) / 2.0));
+                    (0..500).any(|k| {
+                        let p = ray.at(9.0 + f64::from(k) * 0.01).as_vec3();
+                        p.cmpge(bounds.min).all() && p.cmple(bounds.max).all()
+                    })
+                });
                 assert!(sees || !enters, "{kind:?} tile {i} {j}");
             }
             assert!(denied > 30, "{kind:?}: {denied}");

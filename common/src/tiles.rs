@@ -74,9 +74,8 @@ impl TileOptions<'_> {
     /// The side of a tile: 16 pixels, fewer in small pictures so that all cores get some.
     fn side(&self, size: Size) -> u32 {
         const ENOUGH_TILES: usize = 32;
-        let chosen = [16, 8, 4]
-            .into_iter()
-            .find(|side| size.pixels() >= (side * side) as usize * ENOUGH_TILES);
+        let chosen =
+            [16, 8, 4].into_iter().find(|side| size.pixels() >= (side * side) as usize * ENOUGH_TILES);
         self.tile.unwrap_or(chosen.unwrap_or(4)).max(1)
     }
 }

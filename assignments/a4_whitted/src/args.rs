@@ -123,7 +123,10 @@ impl WhittedArgs {
         counters.rays += 1;
         let hit = whitted.accel.nearest(&ray, studio.camera.interval, counters);
         let color = whitted.radiance(&Sight::new(&studio.geometry, ray, hit), counters, &mut tree);
-        cli::say(&format!("pixel {} {}: {:.6} {:.6} {:.6}\n{tree}", pixel[0], pixel[1], color.x, color.y, color.z));
+        cli::say(&format!(
+            "pixel {} {}: {:.6} {:.6} {:.6}\n{tree}",
+            pixel[0], pixel[1], color.x, color.y, color.z
+        ));
         Ok(())
     }
 }

@@ -80,8 +80,7 @@ fn single_dashes(text: &str) -> String {
 }
 
 fn starts_flag(text: &str) -> bool {
-    text.strip_prefix("--")
-        .is_some_and(|word| word.starts_with(char::is_alphabetic))
+    text.strip_prefix("--").is_some_and(|word| word.starts_with(char::is_alphabetic))
 }
 
 #[cfg(test)]
@@ -113,15 +112,9 @@ mod tests {
     fn texts_show_one_dash() {
         for (clap, course) in [
             ("error: '--size <W> <H>' is", "error: '-size <W> <H>' is"),
-            (
-                "Usage: rt [OPTIONS] --input <F>",
-                "Usage: rt [OPTIONS] -input <F>",
-            ),
+            ("Usage: rt [OPTIONS] --input <F>", "Usage: rt [OPTIONS] -input <F>"),
             ("use '-- --foo'", "use '-- -foo'"),
-            (
-                "a--b stays, -- too, ---x too",
-                "a--b stays, -- too, ---x too",
-            ),
+            ("a--b stays, -- too, ---x too", "a--b stays, -- too, ---x too"),
             ("[--a|--b]", "[-a|-b]"),
         ] {
             assert_eq!(singled(clap), course);

@@ -18,12 +18,8 @@ impl MeshError {
 
 /// Reads an OBJ file.
 pub fn read_obj(path: &Path) -> Result<Mesh, MeshError> {
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        single_index: true,
-        ignore_points: true,
-        ignore_lines: true,
-    };
+    let options =
+        tobj::LoadOptions { triangulate: true, single_index: true, ignore_points: true, ignore_lines: true };
     let fail = |error| MeshError(format!("{}: {error}", path.display()));
     let (models, _) = tobj::load_obj(path, &options).map_err(fail)?;
     let mut mesh = Mesh::default();
@@ -32,8 +28,7 @@ pub fn read_obj(path: &Path) -> Result<Mesh, MeshError> {
         let points = model.mesh.positions.chunks_exact(3);
         mesh.positions.extend(points.map(Vec3::from_slice));
         let triangles = model.mesh.indices.chunks_exact(3);
-        mesh.triangles
-            .extend(triangles.map(|t| [t[0] + base, t[1] + base, t[2] + base]));
+        mesh.triangles.extend(triangles.map(|t| [t[0] + base, t[1] + base, t[2] + base]));
     }
     Ok(mesh)
 }

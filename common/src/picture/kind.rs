@@ -22,14 +22,7 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind, in the order in which error texts list them.
-    pub const ALL: [Self; 6] = [
-        Self::Tga,
-        Self::Png,
-        Self::Ppm,
-        Self::Pfm,
-        Self::Exr,
-        Self::Hdr,
-    ];
+    pub const ALL: [Self; 6] = [Self::Tga, Self::Png, Self::Ppm, Self::Pfm, Self::Exr, Self::Hdr];
 
     /// The usual suffix, without the dot.
     pub fn suffix(self) -> &'static str {
@@ -66,10 +59,7 @@ impl Kind {
             (b"\x76\x2f\x31\x01", Kind::Exr),
             (b"#?", Kind::Hdr),
         ];
-        MARKS
-            .into_iter()
-            .find(|(mark, _)| bytes.starts_with(mark))
-            .map(|(_, kind)| kind)
+        MARKS.into_iter().find(|(mark, _)| bytes.starts_with(mark)).map(|(_, kind)| kind)
     }
 
     /// Whether files of this kind hold linear light rather than 8-bit levels.
@@ -90,10 +80,6 @@ impl Kind {
         if size.width().max(size.height()) <= self.longest_side() {
             return Ok(());
         }
-        Err(PictureError::SideTooLong {
-            size,
-            suffix: self.suffix(),
-            longest: self.longest_side(),
-        })
+        Err(PictureError::SideTooLong { size, suffix: self.suffix(), longest: self.longest_side() })
     }
 }

@@ -37,12 +37,7 @@ impl SceneError {
             group = group.element(Level::HELP.message(help));
         }
         let rendered = Renderer::plain().render(&[group]);
-        Self(Box::new(Report {
-            file: file.to_owned(),
-            position: None,
-            message,
-            rendered,
-        }))
+        Self(Box::new(Report { file: file.to_owned(), position: None, message, rendered }))
     }
 
     /// The scene file's name, as it was given to the loader.
@@ -76,13 +71,7 @@ pub(super) type Parsed<T> = Result<T, Box<Fault>>;
 
 impl Fault {
     pub fn new(span: Span, message: impl Into<String>) -> Self {
-        Self {
-            span,
-            message: message.into(),
-            label: None,
-            context: None,
-            help: None,
-        }
+        Self { span, message: message.into(), label: None, context: None, help: None }
     }
 
     /// Words at the caret.
@@ -128,9 +117,7 @@ impl Fault {
     fn render(&self, file: &str, text: &str, position: Position) -> String {
         let context = self.context.as_ref().map(|(span, _)| *span);
         let excerpts = Excerpt::around(text, self.span, context);
-        let origin = Origin::path(file)
-            .line(position.line as usize)
-            .char_column(position.column as usize);
+        let origin = Origin::path(file).line(position.line as usize).char_column(position.column as usize);
         let title = Level::ERROR.primary_title(&self.message);
         let mut group = Group::with_title(title).element(origin);
         for excerpt in &excerpts {

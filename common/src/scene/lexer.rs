@@ -43,10 +43,7 @@ pub(super) struct Span {
 
 impl From<Range<usize>> for Span {
     fn from(range: Range<usize>) -> Self {
-        Self {
-            start: range.start,
-            end: range.end,
-        }
+        Self { start: range.start, end: range.end }
     }
 }
 
@@ -63,11 +60,7 @@ impl<'a> Lexer<'a> {
     /// Starts behind the byte-order mark, if there is one.
     pub fn new(text: &'a str) -> Self {
         let offset = bom_length(text);
-        Self {
-            text,
-            offset,
-            counted: LineCounter::starting_at(offset),
-        }
+        Self { text, offset, counted: LineCounter::starting_at(offset) }
     }
 
     /// The next token; [`TokenKind::End`] again and again at the end.
@@ -102,16 +95,11 @@ impl<'a> Lexer<'a> {
     }
 
     fn quoted_name(&mut self, rest: &'a str) -> Result<Token<'a>, Token<'a>> {
-        let stop = rest[1..]
-            .bytes()
-            .position(|b| matches!(b, b'"' | b'\n' | b'\r'));
+        let stop = rest[1..].bytes().position(|b| matches!(b, b'"' | b'\n' | b'\r'));
         match stop.map(|index| (index, rest.as_bytes()[index + 1])) {
             Some((index, b'"')) => {
                 let token = self.take(TokenKind::Word, index + 2);
-                Ok(Token {
-                    text: &rest[1..=index],
-                    ..token
-                })
+                Ok(Token { text: &rest[1..=index], ..token })
             }
             other => {
                 let length = other.map_or(rest.len(), |(index, _)| index + 1);
@@ -124,12 +112,7 @@ impl<'a> Lexer<'a> {
         let span = Span::from(self.offset..self.offset + length);
         let position = self.counted.advance(self.text, span.start);
         self.offset = span.end;
-        Token {
-            kind,
-            text: &self.text[span.start..span.end],
-            span,
-            position,
-        }
+        Token { kind, text: &self.text[span.start..span.end], span, position }
     }
 
     /// The end is reported just behind the last thing written, not on the empty lines after it.
@@ -182,9 +165,7 @@ fn starts_comment(bytes: &[u8]) -> bool {
 fn word_length(rest: &str) -> usize {
     let bytes = rest.as_bytes();
     (0..bytes.len())
-        .find(|&i| {
-            is_blank(bytes[i]) || matches!(bytes[i], b'{' | b'}') || starts_comment(&bytes[i..])
-        })
+        .find(|&i| is_blank(bytes[i]) || matches!(bytes[i], b'{' | b'}') || starts_comment(&bytes[i..]))
         .unwrap_or(bytes.len())
 }
 
@@ -197,10 +178,7 @@ struct LineCounter {
 
 impl LineCounter {
     fn starting_at(offset: usize) -> Self {
-        Self {
-            offset,
-            at: Position { line: 1, column: 1 },
-        }
+        Self { offset, at: Position { line: 1, column: 1 } }
     }
 
     fn advance(&mut self, text: &str, target: usize) -> Position {
@@ -233,11 +211,7 @@ mod tests {
         let mut lexer = Lexer::new(text);
         std::iter::from_fn(|| {
             let token = lexer.next();
-            (token.kind != TokenKind::End).then_some((
-                token.text,
-                token.position.line,
-                token.position.column,
-            ))
+            (token.kind != TokenKind::End).then_some((token.text, token.position.line, token.position.column))
         })
         .collect()
     }

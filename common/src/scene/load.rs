@@ -78,10 +78,7 @@ fn unreadable(path: &Path, error: &io::Error) -> SceneError {
         }
         io::ErrorKind::IsADirectory => "this is a folder, not a scene file".to_owned(),
         io::ErrorKind::FileTooLarge => {
-            format!(
-                "this file is larger than {} MiB; is it a scene?",
-                MOST_BYTES >> 20
-            )
+            format!("this file is larger than {} MiB; is it a scene?", MOST_BYTES >> 20)
         }
         _ => format!("cannot read the scene file: {error}"),
     };
@@ -94,10 +91,8 @@ fn similar_name(missing: &Path) -> Option<String> {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let names: Vec<String> = fs::read_dir(folder)
-        .ok()?
-        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
-        .collect();
+    let names: Vec<String> =
+        fs::read_dir(folder).ok()?.filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect();
     let wanted = missing.file_name()?.to_str()?;
     let best = nearest(wanted, names.iter().map(String::as_str))?;
     Some(missing.with_file_name(best).display().to_string())
@@ -142,12 +137,9 @@ impl Folder {
         if in_working_directory.is_file() {
             return Ok(in_working_directory);
         }
-        let suggestion = similar_name(&beside_scene)
-            .map(|name| format!("; did you mean `{name}`?"))
-            .unwrap_or_default();
-        Err(format!(
-            "there is no file `{name}` beside the scene or in the working directory{suggestion}"
-        ))
+        let suggestion =
+            similar_name(&beside_scene).map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
+        Err(format!("there is no file `{name}` beside the scene or in the working directory{suggestion}"))
     }
 }
 

@@ -64,9 +64,6 @@ impl<'a> Queue<'a> {
 
     /// Clears the progress bar and passes on the states.
     pub fn finish<S>(self, states: Vec<S>) -> Finished<S> {
-        Finished {
-            states,
-            complete: self.progress.count() == self.count,
-        }
+        Finished { states, complete: self.progress.count() == self.count }
     }
 }

@@ -13,11 +13,7 @@ fn size(width: i64, height: i64) -> Size {
 }
 
 fn options(tile: u32, threads: usize) -> TileOptions<'static> {
-    TileOptions {
-        tile: Some(tile),
-        threads: Some(threads),
-        ..TileOptions::default()
-    }
+    TileOptions { tile: Some(tile), threads: Some(threads), ..TileOptions::default() }
 }
 
 /// Two layers of something that depends on the pixel only, and takes long enough for help.
@@ -71,10 +67,7 @@ fn pictures_and_counters_do_not_depend_on_threads_or_tiles() {
     for threads in [1, 2, 3, 7, 16] {
         for tile in [1, 5, 8, 16, 64] {
             let other = pattern(size, &options(tile, threads));
-            assert_eq!(
-                other.films, reference.films,
-                "{threads} threads, tile {tile}"
-            );
+            assert_eq!(other.films, reference.films, "{threads} threads, tile {tile}");
             assert_eq!(other.counters, reference.counters);
         }
     }
@@ -118,10 +111,7 @@ fn quick_work_stays_on_the_calling_thread() {
 #[test]
 fn a_stop_ends_the_work_and_keeps_what_is_done() {
     let stop = AtomicBool::new(false);
-    let options = TileOptions {
-        stop: Some(&stop),
-        ..options(4, 2)
-    };
+    let options = TileOptions { stop: Some(&stop), ..options(4, 2) };
     let rendered = render(
         size(32, 32),
         1,
@@ -137,10 +127,7 @@ fn a_stop_ends_the_work_and_keeps_what_is_done() {
     );
     assert!(!rendered.complete);
     assert!((1..64).contains(&rendered.counters));
-    let lit = rendered.films[0]
-        .pixels()
-        .iter()
-        .filter(|&&c| c == Vec3::ONE);
+    let lit = rendered.films[0].pixels().iter().filter(|&&c| c == Vec3::ONE);
     assert_eq!(lit.count() as u64, rendered.counters * 16);
 }
 
