@@ -37,7 +37,12 @@ impl SceneError {
             group = group.element(Level::HELP.message(help));
         }
         let rendered = Renderer::plain().render(&[group]);
-        Self(Box::new(Report { file: file.to_owned(), position: None, message, rendered }))
+        Self(Box::new(Report {
+            file: file.to_owned(),
+            position: None,
+            message,
+            rendered,
+        }))
     }
 
     /// The scene file's name, as it was given to the loader.
@@ -71,7 +76,13 @@ pub(super) type Parsed<T> = Result<T, Box<Fault>>;
 
 impl Fault {
     pub fn new(span: Span, message: impl Into<String>) -> Self {
-        Self { span, message: message.into(), label: None, context: None, help: None }
+        Self {
+            span,
+            message: message.into(),
+            label: None,
+            context: None,
+            help: None,
+        }
     }
 
     /// Words at the caret.
@@ -117,16 +128,16 @@ impl Fault {
     fn render(&self, file: &str, text: &str, position: Position) -> String {
         let context = self.context.as_ref().map(|(span, _)| *span);
         let excerpts = Excerpt::around(text, self.span, context);
-        let origin = Origin::path(file).line(position.line as usize).char_column(position.column as usize);
         let title = Level::ERROR.primary_title(&self.message);
-        let mut group = Group::with_title(title).element(origin);
+        let mut group = Group::with_title(title);
         for excerpt in &excerpts {
             group = group.element(self.snippet(excerpt));
         }
         if let Some(help) = &self.help {
             group = group.element(Level::HELP.message(help));
         }
-        Renderer::plain().render(&[group])
+        let report = Renderer::plain().render(&[group]);
+        with_origin(&report, file, position)
     }
 
     fn snippet<'a>(&'a self, excerpt: &'a Excerpt) -> Snippet<'a, Annotation<'a>> {
@@ -143,4 +154,19 @@ impl Fault {
             .annotations(primary)
             .annotations(context)
     }
+}
+
+/// Puts the line `--> file:line:column` below the title, and cuts blanks at line ends. The
+/// renderer would take the column from the excerpt, where that of a clipped line is not right.
+fn with_origin(report: &str, file: &str, at: Position) -> String {
+    let mut lines = report.lines().map(str::trim_end);
+    let title = lines.next().unwrap_or_default();
+    let body: Vec<&str> = lines.collect();
+    let bar = body.first().and_then(|line| line.find('|')).unwrap_or(1);
+    let arrow = format!("{:>1$}", "--> ", bar + 3);
+    let (line, column) = (at.line, at.column);
+    format!(
+        "{title}\n{arrow}{file}:{line}:{column}\n{}",
+        body.join("\n")
+    )
 }
