@@ -47,7 +47,7 @@ mod parse;
 mod progress;
 
 pub use app::{AppError, run};
-pub use general::{GeneralArgs, SimdChoice, Skip};
+pub use general::{GeneralArgs, ProgramArgs, SimdChoice, Skip};
 pub use output::{is_quiet, note, say, set_quiet, warn};
 pub use parse::{Parsed, Stop, parse, try_parse_from};
 pub use progress::Progress;

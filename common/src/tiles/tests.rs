@@ -5,8 +5,10 @@ use crate::counters::Counters;
 use crate::math::Vec3;
 use proptest::prelude::*;
 use std::collections::HashSet;
+use std::sync::Mutex;
 use std::sync::atomic::Ordering;
 use std::thread;
+use std::time::Duration;
 
 fn size(width: i64, height: i64) -> Size {
     Size::new(width, height).unwrap()
