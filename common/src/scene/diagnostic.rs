@@ -1,8 +1,172 @@
 //! Errors of scene files: where, what was expected, what was probably meant.
+//! This is the door to `annotate-snippets`.
+//!
+//! ```text
+//! error: expected a number for `radius`, found `}`
+//!   --> scene.txt:14:31
+//!    |
+//! 14 |     Sphere { center 0 0 0 radius }
+//!    |                                  ^
+//! ```
 
-/// An error in a scene file, rendered with its source line and a caret.
-#[derive(Debug, thiserror::Error)]
-#[error("{rendered}")]
-pub struct SceneError {
+use super::Position;
+use super::excerpt::Excerpt;
+use super::lexer::{Span, position_of};
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+
+/// An error in a scene file. `Display` gives the whole report: the message, the file, line and
+/// column, the line itself with a caret, and a hint where there is one.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{}", .0.rendered)]
+pub struct SceneError(Box<Report>);
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Report {
+    file: String,
+    position: Option<Position>,
+    message: String,
     rendered: String,
+}
+
+impl SceneError {
+    /// An error of the whole file (it cannot be read, say), without a position.
+    pub(super) fn of_file(file: &str, message: String, help: Option<String>) -> Self {
+        let title = Level::ERROR.primary_title(&message);
+        let mut group = Group::with_title(title).element(Origin::path(file));
+        if let Some(help) = &help {
+            group = group.element(Level::HELP.message(help));
+        }
+        let rendered = Renderer::plain().render(&[group]);
+        Self(Box::new(Report {
+            file: file.to_owned(),
+            position: None,
+            message,
+            rendered,
+        }))
+    }
+
+    /// The scene file's name, as it was given to the loader.
+    pub fn file(&self) -> &str {
+        &self.0.file
+    }
+
+    /// Where in the file; `None` if the file could not be read as text at all.
+    pub fn position(&self) -> Option<Position> {
+        self.0.position
+    }
+
+    /// What is wrong, in one line without the position.
+    pub fn message(&self) -> &str {
+        &self.0.message
+    }
+}
+
+/// An error as the parser raises it: spans instead of rendered text.
+#[derive(Debug, Clone)]
+pub(super) struct Fault {
+    span: Span,
+    message: String,
+    label: Option<String>,
+    context: Option<(Span, String)>,
+    help: Option<String>,
+}
+
+/// Result of everything in the parser; the fault is boxed to keep the good case small.
+pub(super) type Parsed<T> = Result<T, Box<Fault>>;
+
+impl Fault {
+    pub fn new(span: Span, message: impl Into<String>) -> Self {
+        Self {
+            span,
+            message: message.into(),
+            label: None,
+            context: None,
+            help: None,
+        }
+    }
+
+    /// Words at the caret.
+    pub fn label(mut self, label: impl Into<String>) -> Self {
+        self.label = Some(label.into());
+        self
+    }
+
+    /// A second place that explains the first, such as "first given here".
+    pub fn context(mut self, span: Span, label: impl Into<String>) -> Self {
+        self.context = Some((span, label.into()));
+        self
+    }
+
+    /// A hint what to do, below the excerpt.
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    pub fn help_if_any(mut self, help: Option<String>) -> Self {
+        self.help = help;
+        self
+    }
+
+    /// As the `Err` of a parsing function.
+    pub fn fail<T>(self) -> Parsed<T> {
+        Err(Box::new(self))
+    }
+
+    /// Renders the fault against the text it was found in.
+    pub fn into_error(self, file: &str, text: &str) -> SceneError {
+        let position = position_of(text, self.span.start);
+        let rendered = self.render(file, text, position);
+        SceneError(Box::new(Report {
+            file: file.to_owned(),
+            position: Some(position),
+            message: self.message,
+            rendered,
+        }))
+    }
+
+    fn render(&self, file: &str, text: &str, position: Position) -> String {
+        let context = self.context.as_ref().map(|(span, _)| *span);
+        let excerpts = Excerpt::around(text, self.span, context);
+        let title = Level::ERROR.primary_title(&self.message);
+        let mut group = Group::with_title(title);
+        for excerpt in &excerpts {
+            group = group.element(self.snippet(excerpt));
+        }
+        if let Some(help) = &self.help {
+            group = group.element(Level::HELP.message(help));
+        }
+        let report = Renderer::plain().render(&[group]);
+        with_origin(&report, file, position)
+    }
+
+    fn snippet<'a>(&'a self, excerpt: &'a Excerpt) -> Snippet<'a, Annotation<'a>> {
+        let primary = excerpt.primary.clone().map(|range| {
+            let label = self.label.as_deref();
+            AnnotationKind::Primary.span(range).label(label)
+        });
+        let context = excerpt.context.clone().map(|range| {
+            let label = self.context.as_ref().map(|(_, label)| label.as_str());
+            AnnotationKind::Context.span(range).label(label)
+        });
+        Snippet::source(excerpt.text.as_str())
+            .line_start(excerpt.first_line)
+            .annotations(primary)
+            .annotations(context)
+    }
+}
+
+/// Puts the line `--> file:line:column` below the title, and cuts blanks at line ends. The
+/// renderer would take the column from the excerpt, where that of a clipped line is not right.
+fn with_origin(report: &str, file: &str, at: Position) -> String {
+    let mut lines = report.lines().map(str::trim_end);
+    let title = lines.next().unwrap_or_default();
+    let body: Vec<&str> = lines.collect();
+    let bar = body.first().and_then(|line| line.find('|')).unwrap_or(1);
+    let arrow = format!("{:>1$}", "--> ", bar + 3);
+    let (line, column) = (at.line, at.column);
+    format!(
+        "{title}\n{arrow}{file}:{line}:{column}\n{}",
+        body.join("\n")
+    )
 }

@@ -9,13 +9,15 @@
 //! children), so that a scene nested 100,000 deep costs memory and not call stack.
 
 mod camera;
-pub mod diagnostic;
+mod diagnostic;
+mod excerpt;
 mod lexer;
 mod light;
 mod load;
 mod material;
 mod node;
 mod parse;
+mod suggest;
 
 pub use camera::{CameraKind, CameraSpec, Lens, Screen};
 pub use diagnostic::SceneError;

@@ -1,1 +1,0 @@
-//! Recursive-descent parser of the scene format.
