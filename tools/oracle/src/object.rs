@@ -4,7 +4,7 @@ use crate::shape::{Crossing, Shape, Soup};
 use crate::transform::product;
 use crate::{Hit, OracleError, Ray, Surface};
 use common::math::{DMat3, DMat4, DVec3};
-use common::scene::{Node, NodeKind, Scene, ShapeSpec};
+use common::scene::{Node, NodeKind, Scene};
 
 /// Secondary rays start this fraction of the scene's coordinates away from the surface.
 ///

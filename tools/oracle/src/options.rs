@@ -104,10 +104,9 @@ impl Options {
         if self.width == 0 || self.height == 0 {
             return refuse("the picture has no pixels");
         }
-        // `!(a < b || a > b)` also catches NaN.
         if self
             .depth
-            .is_some_and(|(a, b)| !(a < b || a > b) || !(b - a).is_finite())
+            .is_some_and(|(min, max)| !(max - min).is_normal())
         {
             return refuse("the two depths must be different finite numbers");
         }

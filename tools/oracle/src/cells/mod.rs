@@ -14,7 +14,7 @@ pub use walk::CellHit;
 use crate::{CellPicture, World};
 use aabb::Aabb;
 use common::math::DVec3;
-use occupant::{Occupant, occupants};
+use occupant::occupants;
 use rayon::prelude::*;
 
 /// A grid over the finite objects of a scene, with the number of objects in each cell.
