@@ -1,30 +1,20 @@
 //! Cameras that make rays, and what a part of the picture can see.
 
 use crate::math::{Bounds, DVec3, Interval};
+use crate::picture::Size;
 use crate::ray::Ray;
 use crate::scene::{CameraKind, CameraSpec};
 
-/// The grid of pixels laid over the unit screen square.
+/// Position on the unit screen square of the point (x, y) given in pixels from the lower left
+/// corner of the picture: the centre of pixel (i, j) is at (i + ½, j + ½), row 0 at the bottom.
 ///
 /// Pixels are square; the unit square spans the larger side of the picture and is cropped
-/// symmetrically on the smaller one. Row 0 is at the bottom.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PixelGrid {
-    /// Pixels per row.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-}
-
-impl PixelGrid {
-    /// Screen position of the point (x, y) given in pixels from the lower left corner: the
-    /// centre of pixel (i, j) is at (i + ½, j + ½).
-    #[inline]
-    pub fn screen(&self, x: f64, y: f64) -> (f64, f64) {
-        let (w, h) = (f64::from(self.width), f64::from(self.height));
-        let scale = w.max(h);
-        ((x - w / 2.0) / scale + 0.5, (y - h / 2.0) / scale + 0.5)
-    }
+/// symmetrically on the smaller one.
+#[inline]
+pub fn screen_position(size: Size, x: f64, y: f64) -> (f64, f64) {
+    let (w, h) = (f64::from(size.width()), f64::from(size.height()));
+    let scale = w.max(h);
+    ((x - w / 2.0) / scale + 0.5, (y - h / 2.0) / scale + 0.5)
 }
 
 /// A camera with its frame worked out, in `f64`; rays are rounded to `f32` once.
@@ -131,12 +121,9 @@ mod tests {
 
     #[test]
     fn pixels_are_square_and_centred() {
-        let grid = PixelGrid {
-            width: 4,
-            height: 2,
-        };
-        assert_eq!(grid.screen(2.0, 1.0), (0.5, 0.5));
-        assert_eq!(grid.screen(0.5, 0.5), (0.125, 0.375));
+        let size = Size::new(4, 2).unwrap();
+        assert_eq!(screen_position(size, 2.0, 1.0), (0.5, 0.5));
+        assert_eq!(screen_position(size, 0.5, 0.5), (0.125, 0.375));
     }
 
     #[test]
@@ -162,10 +149,7 @@ mod tests {
     /// A rectangle that "cannot see" a box has no ray that enters it; and the test is not idle.
     #[test]
     fn may_see_never_denies_a_hit() {
-        let grid = PixelGrid {
-            width: 32,
-            height: 32,
-        };
+        let size = Size::new(32, 32).unwrap();
         for kind in [
             CameraKind::Orthographic { size: 4.0 },
             CameraKind::Perspective { angle: 25.0 },
@@ -178,13 +162,13 @@ mod tests {
             for (i, j) in
                 (0..8).flat_map(|i| (0..8).map(move |j| (f64::from(i) * 4.0, f64::from(j) * 4.0)))
             {
-                let sees = c.may_see(grid.screen(i, j), grid.screen(i + 4.0, j + 4.0), &bounds);
+                let sees = c.may_see(screen_position(size, i, j), screen_position(size, i + 4.0, j + 4.0), &bounds);
                 denied += u32::from(!sees);
                 let enters = (0..=8)
                     .flat_map(|a| (0..=8).map(move |b| (a, b)))
                     .any(|(a, b)| {
                         let ray =
-                            c.ray(grid.screen(i + f64::from(a) / 2.0, j + f64::from(b) / 2.0));
+                            c.ray(screen_position(size, i + f64::from(a) / 2.0, j + f64::from(b) / 2.0));
                         (0..500).any(|k| {
                             let p = ray.at(9.0 + f64::from(k) * 0.01).as_vec3();
                             p.cmpge(bounds.min).all() && p.cmple(bounds.max).all()

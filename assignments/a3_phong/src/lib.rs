@@ -1,1 +1,34 @@
-//! Placeholder.
+//! Assignment 3: specular highlights, and a preview drawn without rays.
+//!
+//! [`Phong`] adds the highlight to the diffuse light of assignment 2. The preview tessellates
+//! the scene and draws it with a z-buffer, flat or Gouraud shaded; the interactive window and
+//! `-preview` use it.
+
+mod args;
+mod phong;
+
+pub use args::{PhongArgs, Specular};
+pub use phong::{Phong, PhongColor};
+
+use a1_ray_casting::{Studio, picture};
+use common::accel::List;
+use common::cli::AppError;
+
+/// The whole program: reads the scene, renders what was asked for, writes it.
+///
+/// # Errors
+/// Bad usage, an unreadable scene, an unwritable picture.
+pub fn run(args: &PhongArgs) -> Result<(), AppError> {
+    args.check()?;
+    let (studio, mut report) = Studio::open(args.cast(), &args.outputs())?;
+    args.draw_preview(&studio, &mut report)?;
+    let list = report.time("build", || List::new(&studio.geometry));
+    let color = PhongColor {
+        scene: &studio.scene,
+        light: args.diffuse.local_light(&studio.scene),
+        phong: Phong { specular: args.specular },
+    };
+    let mut pictures = args.diffuse.side_pictures();
+    pictures.extend(picture(&args.cast().output, color));
+    studio.shoot(args.cast(), &list, &pictures, report)
+}

@@ -1,1 +1,49 @@
-//! Placeholder.
+//! Assignment 4: shadows, mirrors and glass; the ray tree.
+//!
+//! [`Whitted`] follows every mirrored and refracted ray until depth or weight ends it
+//! (Whitted, "An improved illumination model for shaded display", 1980), and asks shadow rays
+//! how much of each light arrives. A [`Recorder`] can watch; [`RayTree`] writes down all it sees.
+
+mod args;
+mod optics;
+mod shadow;
+mod tree;
+mod whitted;
+
+pub use args::WhittedArgs;
+pub use optics::{Crossing, mirror, refract};
+pub use tree::{NoRecord, RayKind, RayNode, RayTree, Recorder};
+pub use whitted::{Rules, Whitted, WhittedColor};
+
+use a1_ray_casting::{Report, Studio, picture};
+use common::accel::{Accel, List};
+use common::cli::AppError;
+
+/// The whole program: reads the scene, renders what was asked for, writes it.
+///
+/// # Errors
+/// Bad usage, an unreadable scene, an unwritable picture.
+pub fn run(args: &WhittedArgs) -> Result<(), AppError> {
+    args.check()?;
+    let (studio, mut report) = Studio::open(args.cast(), &args.outputs())?;
+    args.phong.draw_preview(&studio, &mut report)?;
+    let list = report.time("build", || List::new(&studio.geometry));
+    shoot(args, &studio, &list, report)
+}
+
+/// Renders and writes the pictures of this step and those before through any structure.
+///
+/// # Errors
+/// An unwritable picture.
+pub fn shoot(
+    args: &WhittedArgs,
+    studio: &Studio,
+    accel: &dyn Accel,
+    mut report: Report,
+) -> Result<(), AppError> {
+    let whitted = args.whitted(&studio.scene, accel);
+    args.print_ray_tree(studio, &whitted, &mut report)?;
+    let mut pictures = args.phong.diffuse.side_pictures();
+    pictures.extend(picture(&args.cast().output, WhittedColor { whitted }));
+    studio.shoot(args.cast(), accel, &pictures, report)
+}

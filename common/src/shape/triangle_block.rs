@@ -78,35 +78,49 @@ impl TriangleBlock {
     }
 
     /// A bit for every used lane that the filter cannot discard for `interval`.
+    ///
+    /// Written without closures: one that is not inlined would lose the instructions that
+    /// `simd` stands for.
     #[inline(always)]
     pub fn candidates<S: Simd>(&self, simd: S, filter: &Filter, interval: Interval) -> u32 {
-        let [kx, ky, kz] = filter.axes;
-        let splat = |x: f32| f32x8::splat(simd, x);
-        let [ox, oy, oz] = filter.origin.map(splat);
-        let [sx, sy] = filter.shear.map(splat);
-        let load = |vertex: usize, axis: usize| f32x8::from_slice(simd, &self.corner[vertex][axis]);
-        let [za, zb, zc] = [0, 1, 2].map(|v| load(v, kz) - oz);
-        let [ax, bx, cx] = [(0, za), (1, zb), (2, zc)].map(|(v, z)| load(v, kx) - ox - sx * z);
-        let [ay, by, cy] = [(0, za), (1, zb), (2, zc)].map(|(v, z)| load(v, ky) - oy - sy * z);
+        let oz = f32x8::splat(simd, filter.origin[2]);
+        let za = self.load(simd, 0, filter.axes[2]) - oz;
+        let zb = self.load(simd, 1, filter.axes[2]) - oz;
+        let zc = self.load(simd, 2, filter.axes[2]) - oz;
+        let [ax, bx, cx] = self.sheared(simd, filter, 0, [za, zb, zc]);
+        let [ay, by, cy] = self.sheared(simd, filter, 1, [za, zb, zc]);
 
         let (u, v, w) = (cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax);
-        let reach = ax
-            .abs()
-            .max(bx.abs())
-            .max(cx.abs())
-            .max(ay.abs())
-            .max(by.abs())
-            .max(cy.abs());
-        let e = splat(filter.coordinate_error);
-        let error =
-            reach * (e * splat(4.0) + reach * splat(8.0 * UNIT)) + splat(filter.error_floor);
+        let reach_x = ax.abs().max(bx.abs()).max(cx.abs());
+        let reach = reach_x.max(ay.abs()).max(by.abs()).max(cy.abs());
+        let coordinate = f32x8::splat(simd, 4.0 * filter.coordinate_error);
+        let floor = f32x8::splat(simd, filter.error_floor);
+        let error = reach * (coordinate + reach * f32x8::splat(simd, 8.0 * UNIT)) + floor;
         // Discard on mixed certain signs; NaN and infinity compare false and are kept.
         let outside = u.min(v).min(w).simd_lt(-error) & u.max(v).max(w).simd_gt(error);
 
         let (near, far) = filter.depth_range(interval);
         let (nearest, farthest) = (za.min(zb).min(zc), za.max(zb).max(zc));
-        let beyond = nearest.simd_gt(splat(far)) | farthest.simd_lt(splat(near));
+        let beyond = nearest.simd_gt(f32x8::splat(simd, far)) | farthest.simd_lt(f32x8::splat(simd, near));
         !(outside | beyond).to_bitmask() as u32 & ((1 << self.len) - 1)
+    }
+
+    #[inline(always)]
+    fn load<S: Simd>(&self, simd: S, vertex: usize, axis: usize) -> f32x8<S> {
+        f32x8::from_slice(simd, &self.corner[vertex][axis])
+    }
+
+    /// The three corners' coordinates along one of the two axes across the ray.
+    #[inline(always)]
+    fn sheared<S: Simd>(&self, simd: S, filter: &Filter, across: usize, z: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
+        let axis = filter.axes[across];
+        let origin = f32x8::splat(simd, filter.origin[across]);
+        let shear = f32x8::splat(simd, filter.shear[across]);
+        [
+            self.load(simd, 0, axis) - origin - shear * z[0],
+            self.load(simd, 1, axis) - origin - shear * z[1],
+            self.load(simd, 2, axis) - origin - shear * z[2],
+        ]
     }
 }
 

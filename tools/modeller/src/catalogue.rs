@@ -18,7 +18,8 @@ pub struct Model {
     pub bounds: Bounds,
 }
 
-/// Decimals that the files keep: a hundred-thousandth of a scene unit is under a hundredth of the finest mesh's edges.
+/// Decimals that the files keep: a hundred-thousandth of a scene unit is under a hundredth of the
+/// finest mesh's edges.
 const DECIMALS: usize = 5;
 
 impl Model {
@@ -80,41 +81,17 @@ impl Model {
     }
 }
 
-/// All models, made afresh.
+/// All models, made afresh. The rabbit takes a few seconds.
 pub fn all() -> Vec<Model> {
-    let mut models = vec![
-        Model::new(
-            "cube.obj",
-            "A cube, corners at +-1.",
-            cube::cube(),
-            12,
-            symmetric(1.0, 1.0, -1.0, 1.0),
-        ),
-        Model::new(
-            "diamond.obj",
-            "A round brilliant: the axis is z, the table is up.",
-            gem::gem(),
-            110,
-            symmetric(2.0, 2.0, -1.805, 0.998),
-        ),
-        Model::new(
-            "vase.obj",
-            "A vase with a wall of some thickness, turned about y.",
-            vase::vase(),
-            3840,
-            Bounds {
-                min: dvec3(-2.304, 0.0, -2.291),
-                max: dvec3(2.304, 8.125, 2.291),
-            },
-        ),
+    let mut models = all_but_the_rabbit();
+    let names = [
+        "bunny_40k.obj",
+        "bunny_5k.obj",
+        "bunny_1k.obj",
+        "bunny_200.obj",
     ];
-    let [fine, medium, small, tiny] = rabbit::levels([40_000, 5_000, 1_000, 200]);
-    let rabbits = [
-        ("bunny_40k.obj", fine, 40_000),
-        ("bunny_5k.obj", medium, 5_000),
-        ("bunny_1k.obj", small, 1_000),
-    ];
-    for (name, mesh, count) in rabbits.into_iter().chain([("bunny_200.obj", tiny, 200)]) {
+    let counts = [40_000, 5_000, 1_000, 200];
+    for ((name, count), mesh) in names.into_iter().zip(counts).zip(rabbit::levels(counts)) {
         models.push(Model::new(
             name,
             "A sitting rabbit, modelled from ellipsoids.",
@@ -126,9 +103,41 @@ pub fn all() -> Vec<Model> {
     models
 }
 
-fn symmetric(x: f64, y: f64, low: f64, high: f64) -> Bounds {
-    Bounds {
-        min: dvec3(-x, -y, low),
-        max: dvec3(x, y, high),
-    }
+/// The models that are ready at once.
+pub fn all_but_the_rabbit() -> Vec<Model> {
+    let cube_box = Bounds {
+        min: dvec3(-1.0, -1.0, -1.0),
+        max: dvec3(1.0, 1.0, 1.0),
+    };
+    let gem_box = Bounds {
+        min: dvec3(-2.0, -2.0, -1.805),
+        max: dvec3(2.0, 2.0, 0.998),
+    };
+    let vase_box = Bounds {
+        min: dvec3(-2.304, 0.0, -2.291),
+        max: dvec3(2.304, 8.125, 2.291),
+    };
+    vec![
+        Model::new(
+            "cube.obj",
+            "A cube, corners at +-1.",
+            cube::cube(),
+            12,
+            cube_box,
+        ),
+        Model::new(
+            "diamond.obj",
+            "A round brilliant: the axis is z, the table is up.",
+            gem::gem(),
+            110,
+            gem_box,
+        ),
+        Model::new(
+            "vase.obj",
+            "A vase with a wall of some thickness, turned about y.",
+            vase::vase(),
+            3840,
+            vase_box,
+        ),
+    ]
 }

@@ -1,11 +1,13 @@
-//! What every mesh must be: closed, manifold, in one piece with the right number of holes, facing outwards.
+//! What every mesh must be: closed, manifold, in one piece with the right number of holes, facing
+//! outwards.
 
 use crate::mesh::Mesh;
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// Checks that every directed edge occurs once and its reverse once, that the triangles round each vertex form a single fan,
-/// and that no vertex is unused. The error names the first offender, with vertices numbered from 0.
+/// Checks that every directed edge occurs once and its reverse once, that the triangles round each
+/// vertex form a single fan, and that no vertex is unused. The error names the first offender, with
+/// vertices numbered from 0.
 pub fn closed_manifold(mesh: &Mesh) -> Result<(), String> {
     let next = successors(mesh)?;
     if let Some((v, w)) = next.keys().find(|(v, w)| !next.contains_key(&(*w, *v))) {
@@ -45,7 +47,8 @@ fn successors(mesh: &Mesh) -> Result<HashMap<(u32, u32), u32>, String> {
     Ok(next)
 }
 
-/// How many triangles one passes when turning round `v` from the edge to `first` until that edge comes again.
+/// How many triangles one passes when turning round `v` from the edge to `first` until that edge
+/// comes again.
 fn fan_length(next: &HashMap<(u32, u32), u32>, v: u32, first: u32) -> usize {
     let round = std::iter::successors(Some(first), |&w| {
         Some(next[&(v, w)]).filter(|&w| w != first)
@@ -90,7 +93,8 @@ pub fn volume(mesh: &Mesh) -> f64 {
         / 6.0
 }
 
-/// The least ratio of a triangle's height to its longest edge: 0 if some triangle is degenerate, √3/2 at best.
+/// The least ratio of a triangle's height to its longest edge: 0 if some triangle is degenerate,
+/// √3/2 at best.
 pub fn flattest(mesh: &Mesh) -> f64 {
     let flatness = |[a, b, c]: [DVec3; 3]| {
         let longest = a

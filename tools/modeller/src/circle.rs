@@ -8,7 +8,8 @@ pub fn sixteenth_turn() -> DVec2 {
     DVec2::new(((1.0 + cos_45) / 2.0).sqrt(), ((1.0 - cos_45) / 2.0).sqrt())
 }
 
-/// (cos, sin) of 12°, a thirtieth of a turn: 72° − 60°, of which the pentagon gives the first and the triangle the second.
+/// (cos, sin) of 12°, a thirtieth of a turn: 72° − 60°, of which the pentagon gives the first and
+/// the triangle the second.
 pub fn thirtieth_turn() -> DVec2 {
     let cos_72 = (5.0_f64.sqrt() - 1.0) / 4.0;
     let seventy_two = DVec2::new(cos_72, (1.0 - cos_72 * cos_72).sqrt());
@@ -16,7 +17,8 @@ pub fn thirtieth_turn() -> DVec2 {
     seventy_two.rotate(minus_sixty)
 }
 
-/// `count` points of the unit circle, counter-clockwise from (1, 0), each `step` (a unit complex number) on from the last.
+/// `count` points of the unit circle, counter-clockwise from (1, 0), each `step` (a unit complex
+/// number) on from the last.
 pub fn points(step: DVec2, count: usize) -> Vec<DVec2> {
     std::iter::successors(Some(DVec2::X), |p| Some(p.rotate(step)))
         .take(count)

@@ -22,7 +22,8 @@ pub fn cube() -> Mesh {
 fn add_face(mesh: &mut Mesh, axis: u32, face: u32) {
     let (u, v) = (1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3));
     let base = face << axis;
-    // u, v and the axis are right-handed: base → u → v turns left as seen from the face where the bit is set.
+    // u, v and the axis are right-handed: base → u → v turns left as seen from the face where the
+    // bit is set.
     let [a, b, c, d] = if face == 1 {
         [0, u, u + v, v]
     } else {

@@ -1,8 +1,9 @@
-//! A round brilliant-cut gem: table, 8 stars, 8 kites, 16 upper girdle facets, a faceted girdle, 16 lower girdle facets and
-//! 8 pavilion mains, 110 triangles in all.
+//! A round brilliant-cut gem: table, 8 stars, 8 kites, 16 upper girdle facets, a faceted girdle, 16
+//! lower girdle facets and 8 pavilion mains, 110 triangles in all.
 //!
-//! Heights and radii are free within the box that the scene's camera expects; the points where three facets meet are computed,
-//! so that every kite is flat: each lies on a plane through its girdle corner that is perpendicular to its own azimuth.
+//! Heights and radii are free within the box that the scene's camera expects; the points where
+//! three facets meet are computed, so that every kite is flat: each lies on a plane through its
+//! girdle corner that is perpendicular to its own azimuth.
 
 use crate::circle;
 use crate::mesh::Mesh;
@@ -50,7 +51,8 @@ fn vertices() -> Vec<DVec3> {
         let points = circle.clone().into_iter().skip(first).step_by(step);
         points.map(move |p: DVec2| (p * radius).extend(z))
     };
-    // A tip lies a sixteenth of a turn from its kite's azimuth: along the azimuth it is only this far out.
+    // A tip lies a sixteenth of a turn from its kite's azimuth: along the azimuth it is only this
+    // far out.
     let along = circle[1].x;
     let kite = Slope::through((RADIUS, GIRDLE.1), (TABLE.1, TABLE.0));
     let main = Slope::through((RADIUS, GIRDLE.0), (0.0, CULET));

@@ -1,4 +1,5 @@
-//! Solids as functions: negative inside, positive outside, near the surface about the distance to it.
+//! Solids as functions: negative inside, positive outside, near the surface about the distance to
+//! it.
 
 use glam::{DMat3, DVec3, dvec3};
 
@@ -13,8 +14,8 @@ pub struct Ellipsoid {
 }
 
 impl Ellipsoid {
-    /// An ellipsoid whose first axis points along `first`; the second lies in the plane of `first` and `second`.
-    /// Neither need have unit length, but they must not be parallel.
+    /// An ellipsoid whose first axis points along `first`; the second lies in the plane of `first`
+    /// and `second`. Neither need have unit length, but they must not be parallel.
     pub fn new(centre: DVec3, first: DVec3, second: DVec3, radii: DVec3) -> Self {
         let x = first.normalize();
         let z = x.cross(second).normalize();
@@ -25,8 +26,8 @@ impl Ellipsoid {
         }
     }
 
-    /// Distance to the surface, exact to first order near it: g / |∇g| for g = |q| · (|q| − 1), q = p / radii
-    /// up to a factor that is 1 on the surface.
+    /// Distance to the surface, exact to first order near it: g / |∇g| for g = |q| · (|q| − 1), q =
+    /// p / radii up to a factor that is 1 on the surface.
     pub fn distance(&self, p: DVec3) -> f64 {
         let local = self.to_axes * (p - self.centre);
         let q = local / self.radii;
@@ -40,7 +41,8 @@ impl Ellipsoid {
     }
 }
 
-/// How a part joins what is already there. The number is the width over which the two flow together.
+/// How a part joins what is already there. The number is the width over which the two flow
+/// together.
 #[derive(Clone, Copy, Debug)]
 pub enum Join {
     /// Adds the part.
@@ -52,28 +54,55 @@ pub enum Join {
 /// Parts joined one after the other, in order.
 #[derive(Clone, Debug, Default)]
 pub struct Solid {
-    parts: Vec<(Ellipsoid, Join)>,
+    parts: Vec<Part>,
+    /// Width of the widest blend.
+    widest: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    shape: Ellipsoid,
+    join: Join,
+    /// Square of the distance from the centre beyond which the part is not looked at.
+    reach_squared: f64,
 }
 
 impl Solid {
     /// Joins one more part to the solid.
-    pub fn join(&mut self, part: Ellipsoid, join: Join) {
-        self.parts.push((part, join));
+    pub fn join(&mut self, shape: Ellipsoid, join: Join) {
+        self.parts.push(Part {
+            shape,
+            join,
+            reach_squared: 0.0,
+        });
+        let (Join::Add(width) | Join::Cut(width)) = join;
+        self.widest = self.widest.max(width);
+        for part in &mut self.parts {
+            let reach = part.shape.radii.max_element() + 1.5 * self.widest;
+            part.reach_squared = reach * reach;
+        }
     }
 
-    /// About the distance to the surface, negative inside.
+    /// About the distance to the surface, negative inside; `f64::MAX` where no part is near.
+    ///
+    /// A part beyond its reach is skipped. It is farther away than any blend is wide, so this can
+    /// neither change the sign anywhere nor the value near the surface; far away the value is too
+    /// large.
     pub fn distance(&self, p: DVec3) -> f64 {
-        self.parts.iter().fold(f64::MAX, |so_far, (part, join)| {
-            let d = part.distance(p);
-            match *join {
+        self.parts.iter().fold(f64::MAX, |so_far, part| {
+            if p.distance_squared(part.shape.centre) > part.reach_squared {
+                return so_far;
+            }
+            let d = part.shape.distance(p);
+            match part.join {
                 Join::Add(width) => smooth_min(so_far, d, width),
                 Join::Cut(width) => -smooth_min(-so_far, d, width),
             }
         })
     }
 
-    /// The gradient, from differences along the corners of a tetrahedron of size `step`: as exact as central differences along
-    /// the axes, with four values instead of six.
+    /// The gradient, from differences along the corners of a tetrahedron of size `step`: as exact
+    /// as central differences along the axes, with four values instead of six.
     pub fn gradient(&self, p: DVec3, step: f64) -> DVec3 {
         const CORNERS: [DVec3; 4] = [
             dvec3(1.0, -1.0, -1.0),

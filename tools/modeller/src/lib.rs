@@ -1,7 +1,8 @@
 //! The modeller: makes the meshes of `scenes/meshes` from formulas.
 //!
-//! Everything is computed in `f64` with `+ - * /`, `sqrt` and comparisons only. IEEE 754 fixes the result of each of these to
-//! the last bit, so the files come out the same on every machine; `sin`, `exp` and their kin would not.
+//! Everything is computed in `f64` with `+ - * /`, `sqrt` and comparisons only. IEEE 754 fixes the
+//! result of each of these to the last bit, so the files come out the same on every machine; `sin`,
+//! `exp` and their kin would not.
 
 pub mod catalogue;
 pub mod check;
@@ -12,6 +13,7 @@ pub mod implicit;
 pub mod mesh;
 pub mod obj;
 pub mod polygonise;
+pub mod quadric;
 pub mod rabbit;
 pub mod reduce;
 pub mod relax;

@@ -54,8 +54,8 @@ impl Mesh {
         }
     }
 
-    /// Renumbers triangles along a space-filling curve and vertices by first use, so that neighbours in space are
-    /// neighbours in the file and in memory.
+    /// Renumbers triangles along a space-filling curve and vertices by first use, so that
+    /// neighbours in space are neighbours in the file and in memory.
     pub fn order_spatially(&mut self) {
         let bounds = self.bounds();
         let mut order: Vec<usize> = (0..self.triangles.len()).collect();
@@ -71,7 +71,8 @@ impl Mesh {
         .numbered_by_first_use();
     }
 
-    /// The same triangles with vertices numbered in the order in which they are first used; unused vertices are dropped.
+    /// The same triangles with vertices numbered in the order in which they are first used; unused
+    /// vertices are dropped.
     pub fn numbered_by_first_use(self) -> Mesh {
         let mut new_index = vec![u32::MAX; self.positions.len()];
         let mut out = Mesh::default();

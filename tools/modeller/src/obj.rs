@@ -4,7 +4,8 @@ use crate::mesh::Mesh;
 use glam::DVec3;
 use std::fmt::Write;
 
-/// `mesh` with every coordinate rounded to `decimals` places: exactly what a reader of the file gets.
+/// `mesh` with every coordinate rounded to `decimals` places: exactly what a reader of the file
+/// gets.
 pub fn rounded(mesh: &Mesh, decimals: usize) -> Mesh {
     let round = |x: f64| {
         number(x, decimals)
@@ -22,7 +23,8 @@ pub fn rounded(mesh: &Mesh, decimals: usize) -> Mesh {
     }
 }
 
-/// The text of an OBJ file: `comment` lines first, then vertices with at most `decimals` decimals, then faces.
+/// The text of an OBJ file: `comment` lines first, then vertices with at most `decimals` decimals,
+/// then faces.
 pub fn to_text(mesh: &Mesh, comment: &str, decimals: usize) -> String {
     let mut text = String::new();
     for line in comment.lines() {

@@ -1,8 +1,9 @@
 //! From a function to triangles: marching tetrahedra.
 //!
-//! Every cell of a regular lattice is split into the six tetrahedra round its main diagonal (Kuhn's subdivision). They fit face
-//! to face from cell to cell, so the triangles of all of them close up to a manifold, which marching cubes does not promise.
-//! Source: Doi and Koide, "An efficient method of triangulating equi-valued surfaces by using tetrahedral cells" (1991).
+//! Every cell of a regular lattice is split into the six tetrahedra round its main diagonal (Kuhn's
+//! subdivision). They fit face to face from cell to cell, so the triangles of all of them close up
+//! to a manifold, which marching cubes does not promise. Source: Doi and Koide, "An efficient
+//! method of triangulating equi-valued surfaces by using tetrahedral cells" (1991).
 
 use crate::mesh::{Bounds, Mesh};
 use glam::DVec3;
@@ -15,8 +16,9 @@ struct Lattice {
     values: Vec<f64>,
 }
 
-/// The six ways from a cell's lowest corner to its highest along three edges: each is a tetrahedron.
-/// Bits 0, 1, 2 of a corner are its x, y, z. Ordered so that all six have positive volume.
+/// The six ways from a cell's lowest corner to its highest along three edges: each is a
+/// tetrahedron. Bits 0, 1, 2 of a corner are its x, y, z. Ordered so that all six have positive
+/// volume.
 const TETRAHEDRA: [[usize; 4]; 6] = [
     [0, 1, 3, 7],
     [0, 5, 1, 7],
@@ -26,15 +28,16 @@ const TETRAHEDRA: [[usize; 4]; 6] = [
     [0, 6, 4, 7],
 ];
 
-/// The surface on which `f` is zero, as seen on a lattice of cells of size `step` that covers `bounds`.
-/// Triangles face towards positive values.
+/// The surface on which `f` is zero, as seen on a lattice of cells of size `step` that covers
+/// `bounds`. Triangles face towards positive values.
 ///
 /// # Panics
 /// If the solid reaches the rim of the lattice, where its surface would be left open.
 pub fn polygonise(f: impl Fn(DVec3) -> f64, bounds: Bounds, step: f64) -> Mesh {
     let lattice = sample(f, bounds, step);
     assert!(!lattice.is_cut_off(), "the solid is larger than {bounds:?}");
-    // One slot for each edge that leaves a node towards a higher one: seven directions, of which number 0 stays unused.
+    // One slot for each edge that leaves a node towards a higher one: seven directions, of which
+    // number 0 stays unused.
     let mut vertex_on_edge = vec![u32::MAX; lattice.values.len() * 8];
     let mut mesh = Mesh::default();
     for k in 0..lattice.nodes[2] - 1 {
@@ -106,7 +109,8 @@ impl Lattice {
         (1..8).any(|corner| (self.values[cell + self.offset(corner)] < 0.0) != first)
     }
 
-    /// The vertex on the edge between corners `a` and `b` of a cell, made when it is first asked for.
+    /// The vertex on the edge between corners `a` and `b` of a cell, made when it is first asked
+    /// for.
     fn vertex(
         &self,
         positions: &mut Vec<DVec3>,
@@ -122,7 +126,8 @@ impl Lattice {
         if *slot == u32::MAX {
             let part = self.values[p] / (self.values[p] - self.values[q]);
             *slot = positions.len() as u32;
-            // Kept off the lattice nodes, where several edges meet, so that no triangle shrinks to nothing.
+            // Kept off the lattice nodes, where several edges meet, so that no triangle shrinks to
+            // nothing.
             positions.push(
                 self.position(p)
                     .lerp(self.position(q), part.clamp(0.05, 0.95)),
@@ -132,7 +137,8 @@ impl Lattice {
     }
 }
 
-/// Adds the one or two triangles that part the inner corners of a positively oriented tetrahedron from the outer ones.
+/// Adds the one or two triangles that part the inner corners of a positively oriented tetrahedron
+/// from the outer ones.
 fn triangulate(
     corners: [usize; 4],
     inside: [bool; 4],
@@ -147,7 +153,8 @@ fn triangulate(
                 .iter()
                 .position(|&is| is == (inner == 1))
                 .expect("one corner differs");
-            // Even permutations that put the lone corner first: the triangle then faces away from it.
+            // Even permutations that put the lone corner first: the triangle then faces away from
+            // it.
             let [i, j, k, l] = [[0, 1, 2, 3], [1, 0, 3, 2], [2, 3, 0, 1], [3, 2, 1, 0]][lone];
             let [a, b, c] = [on(i, j), on(i, k), on(i, l)];
             triangles.push(if inner == 1 { [a, b, c] } else { [a, c, b] });

@@ -4,14 +4,16 @@ use crate::circle;
 use crate::mesh::Mesh;
 use glam::{DVec2, DVec3};
 
-/// Segments round the axis. Thirty, not a multiple of four: so the box is a little shorter along z than along x.
+/// Segments round the axis. Thirty, not a multiple of four: so the box is a little shorter along z
+/// than along x.
 const SEGMENTS: u32 = 30;
 /// Rings of vertices from the middle of the foot, up the outside, over the lip and down the inside.
 const RINGS: usize = 64;
 /// Height, and radius of the belly.
 const SIZE: (f64, f64) = (8.125, 2.304);
 
-/// Control points (radius, height) of the profile; it starts and ends on the axis. Twice the same point makes a corner.
+/// Control points (radius, height) of the profile; it starts and ends on the axis. Twice the same
+/// point makes a corner.
 const PROFILE: [(f64, f64); 22] = [
     (0.0, 0.0),
     (0.95, 0.0),
@@ -90,7 +92,8 @@ fn spline(control: &[(f64, f64)]) -> Vec<DVec2> {
     line
 }
 
-/// The cubic that leaves `q` parallel to `p`→`r` and reaches `r` parallel to `q`→`s`; `t` runs from 0 to 1.
+/// The cubic that leaves `q` parallel to `p`→`r` and reaches `r` parallel to `q`→`s`; `t` runs from
+/// 0 to 1.
 fn catmull_rom([p, q, r, s]: [DVec2; 4], t: f64) -> DVec2 {
     let linear = r - p;
     let square = 2.0 * p - 5.0 * q + 4.0 * r - s;

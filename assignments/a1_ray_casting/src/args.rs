@@ -1,0 +1,76 @@
+//! The flags of assignment 1; every later assignment flattens them into its own.
+
+use crate::{Depth, Picture};
+use common::cli::{AppError, GeneralArgs};
+use common::picture::Size;
+use std::path::{Path, PathBuf};
+
+/// Scene in, pictures out.
+#[derive(Clone, Debug, clap::Args)]
+#[command(rename_all = "snake_case", next_help_heading = "Assignment 1: ray casting")]
+pub struct CastArgs {
+    /// Scene file to read
+    #[arg(long, value_name = "SCENE")]
+    pub input: PathBuf,
+
+    /// Picture to write; the suffix says what kind: .tga .png .ppm .pfm .hdr .exr
+    #[arg(long, value_name = "PICTURE")]
+    pub output: Option<PathBuf>,
+
+    /// Width and height of all pictures in pixels
+    #[arg(long, num_args = 2, value_names = ["W", "H"], default_values = ["100", "100"])]
+    pub size: Vec<i64>,
+
+    /// Depth picture: grey, white at distance MIN from the camera's plane, black at MAX
+    #[arg(long, num_args = 3, value_names = ["MIN", "MAX", "PICTURE"])]
+    pub depth: Option<Vec<String>>,
+
+    /// Flags of every program.
+    #[command(flatten)]
+    pub general: GeneralArgs,
+}
+
+impl CastArgs {
+    /// The size asked for.
+    ///
+    /// # Errors
+    /// If a side is below 1 or the picture is too large.
+    pub fn size(&self) -> Result<Size, AppError> {
+        Ok(Size::new(self.size[0], self.size[1])?)
+    }
+
+    /// The files this step writes.
+    pub fn outputs(&self) -> Vec<&Path> {
+        let depth = self.depth.iter().map(|d| Path::new(&d[2]));
+        self.output.iter().map(PathBuf::as_path).chain(depth).collect()
+    }
+
+    /// Whether neither a picture nor the statistics are asked for.
+    pub fn is_idle(&self) -> bool {
+        self.outputs().is_empty() && !self.general.stats
+    }
+
+    /// The depth layer and its range.
+    ///
+    /// # Errors
+    /// If the range is not two different finite numbers.
+    pub fn depth_layer(&self) -> Result<Option<Depth>, AppError> {
+        let Some(values) = &self.depth else { return Ok(None) };
+        let number = |text: &str| {
+            let parsed = text.parse::<f32>().ok().filter(|x| x.is_finite());
+            parsed.ok_or_else(|| AppError::Usage(format!("-depth wants a number, not `{text}`")))
+        };
+        let (min, max) = (number(&values[0])?, number(&values[1])?);
+        if min == max {
+            return Err(AppError::Usage(format!("-depth: MIN and MAX are both {min}; they must differ")));
+        }
+        Ok(Some(Depth { min, max }))
+    }
+
+    /// The depth picture, if asked for. Its range has been checked by [`crate::Studio::open`].
+    pub fn depth_picture(&self) -> Option<Picture<'static>> {
+        let layer = self.depth_layer().ok().flatten()?;
+        let path = PathBuf::from(&self.depth.as_ref()?[2]);
+        Some(Picture { path, layer: Box::new(layer) })
+    }
+}

@@ -1,0 +1,163 @@
+//! From a command line to pictures on disk: the frame that all ray-traced pictures are made in.
+
+use crate::{CastArgs, Layer, Report, Sight};
+use clap::ValueEnum;
+use common::accel::Accel;
+use common::camera::{Camera, screen_position};
+use common::cli::{self, AppError, SimdChoice, Skip};
+use common::counters::Counters;
+use common::geometry::Geometry;
+use common::picture::{Film, Size, Transfer, check_output, write};
+use common::scene::{self, Material, Scene};
+use common::simd;
+use common::tiles::{Tile, render};
+use std::path::{Path, PathBuf};
+
+/// From this many primitives on, asking whether a tile can see any of them pays for itself.
+const WORTH_CULLING: usize = 16;
+
+/// A layer and the file it is written to.
+pub struct Picture<'a> {
+    /// Where it goes.
+    pub path: PathBuf,
+    /// What it shows.
+    pub layer: Box<dyn Layer + 'a>,
+}
+
+/// The picture of `layer`, if there is a file for it.
+pub fn picture<'a>(path: &Option<PathBuf>, layer: impl Layer + 'a) -> Option<Picture<'a>> {
+    let path = path.clone()?;
+    Some(Picture { path, layer: Box::new(layer) })
+}
+
+/// A scene made ready for its pictures.
+pub struct Studio {
+    /// The scene as written.
+    pub scene: Scene,
+    /// The same as primitives in world space.
+    pub geometry: Geometry,
+    /// The scene's camera.
+    pub camera: Camera,
+    /// Size of all pictures.
+    pub size: Size,
+}
+
+impl Studio {
+    /// Checks the command line, then reads and prepares the scene. Everything that can be known
+    /// to fail fails here, before the first ray.
+    ///
+    /// # Errors
+    /// Bad sizes and ranges, unwritable `outputs`, an unreadable scene.
+    pub fn open(args: &CastArgs, outputs: &[&Path]) -> Result<(Self, Report), AppError> {
+        let size = args.size()?;
+        args.depth_layer()?;
+        choose_instructions(args)?;
+        check_outputs(args, outputs, size)?;
+        let mut report = Report { size: Some(size), ..Report::default() };
+        let scene = report.time("read", || scene::load(&args.input))?;
+        refuse_textures(&scene)?;
+        let located = |e| AppError::Usage(format!("{}:{e}", args.input.display()));
+        let geometry = report.time("prepare", || Geometry::build(&scene)).map_err(located)?;
+        report.bounds = geometry.bounds();
+        let camera = Camera::new(&scene.camera);
+        Ok((Self { scene, geometry, camera, size }, report))
+    }
+
+    /// Renders the pictures in one pass, writes them, and prints the report if it is wanted.
+    ///
+    /// # Errors
+    /// A picture that cannot be written.
+    pub fn shoot(
+        &self,
+        args: &CastArgs,
+        accel: &dyn Accel,
+        pictures: &[Picture],
+        mut report: Report,
+    ) -> Result<(), AppError> {
+        let layers: Vec<&dyn Layer> = pictures.iter().map(|p| &*p.layer).collect();
+        let films = report.time("render", || self.render(args, accel, &layers));
+        report.counters += films.1;
+        report.time("write", || {
+            pictures.iter().zip(&films.0).try_for_each(|(p, film)| write(&p.path, film, Transfer::Linear))
+        })?;
+        if args.general.stats {
+            cli::say(&report.to_string());
+        }
+        Ok(())
+    }
+
+    /// A1T1: one ray through the centre of every pixel; every layer looks at the same hit.
+    pub fn render(&self, args: &CastArgs, accel: &dyn Accel, layers: &[&dyn Layer]) -> (Vec<Film>, Counters) {
+        let needs_hit = layers.iter().any(|l| l.needs_hit());
+        let options = args.general.tile_options("rendering");
+        let rendered = render(self.size, layers.len(), &options, || (), |(), tile, counters: &mut Counters, out| {
+            let empty = args.general.skips(Skip::Tile) && self.sees_nothing(tile);
+            for (x, y) in tile.pixels() {
+                let (sx, sy) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
+                let ray = self.camera.ray(screen_position(self.size, sx, sy));
+                let hit = match (needs_hit, empty) {
+                    (false, _) => None,
+                    (true, true) => {
+                        counters.skipped_empty_tile += 1;
+                        None
+                    }
+                    (true, false) => {
+                        counters.rays += 1;
+                        accel.nearest(&ray, self.camera.interval, counters)
+                    }
+                };
+                let sight = Sight::new(&self.geometry, ray, hit);
+                for (i, layer) in layers.iter().enumerate() {
+                    out.set(i, x, y, layer.value(&sight, counters));
+                }
+            }
+        });
+        (rendered.films, rendered.counters)
+    }
+
+    /// Whether no ray of the tile can meet anything. Not asked for a handful of primitives,
+    /// where testing them is cheaper, nor when planes reach everywhere.
+    fn sees_nothing(&self, tile: Tile) -> bool {
+        if self.geometry.len() < WORTH_CULLING || !self.geometry.sheets().is_empty() {
+            return false;
+        }
+        let corner = |x: u32, y: u32| screen_position(self.size, f64::from(x), f64::from(y));
+        let (low, high) = (corner(tile.x0, tile.y0), corner(tile.x1, tile.y1));
+        self.geometry.bounds().is_some_and(|b| !self.camera.may_see(low, high, &b))
+    }
+}
+
+fn choose_instructions(args: &CastArgs) -> Result<(), AppError> {
+    let choice = args.general.simd;
+    if choice == SimdChoice::Auto {
+        return Ok(());
+    }
+    let value = choice.to_possible_value();
+    let name = value.as_ref().map_or("auto", |v| v.get_name());
+    simd::restrict(name).map_err(|why| AppError::Usage(format!("-simd {name}: {why}")))
+}
+
+fn check_outputs(args: &CastArgs, outputs: &[&Path], size: Size) -> Result<(), AppError> {
+    for (i, path) in outputs.iter().enumerate() {
+        if outputs[..i].contains(path) {
+            return Err(AppError::Usage(format!("two pictures would be written to {}", path.display())));
+        }
+        if *path == args.input {
+            return Err(AppError::Usage(format!("{} is the scene; a picture would destroy it", path.display())));
+        }
+        check_output(path, size)?;
+    }
+    Ok(())
+}
+
+/// Solid textures are drawn from assignment 6 on; a wrong picture would be worse than none.
+fn refuse_textures(scene: &Scene) -> Result<(), AppError> {
+    let textured = |m: &Material| match m {
+        Material::Solid(_) => true,
+        Material::Phong(p) => p.image.is_some(),
+    };
+    if scene.materials.iter().any(textured) {
+        return Err(AppError::Usage("this scene has textures, which assignment 6 draws".to_owned()));
+    }
+    Ok(())
+}

@@ -1,0 +1,85 @@
+//! The flags that every program understands.
+
+use crate::tiles::TileOptions;
+
+/// Where these flags stand in the help text.
+pub(super) const HEADING: &str = "General";
+
+/// Threads, tiles, and what is printed. Flatten it into a program's options.
+#[derive(Clone, Debug, clap::Args)]
+#[command(rename_all = "snake_case")]
+pub struct GeneralArgs {
+    /// Number of threads; all cores if not given. Never changes a picture
+    #[arg(long, help_heading = HEADING, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    pub threads: Option<u32>,
+
+    /// Side of the square tiles that threads work on, in pixels. Never changes a picture
+    #[arg(long, help_heading = HEADING, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65_536))]
+    pub tile: Option<u32>,
+
+    /// Instruction set of the intersection kernels. Never changes a picture
+    #[arg(long, help_heading = HEADING, value_name = "SET", value_enum, default_value_t)]
+    pub simd: SimdChoice,
+
+    /// Do a kind of work that is normally skipped as needless; repeatable. Never changes a picture
+    #[arg(long, help_heading = HEADING, value_name = "NAME", value_enum)]
+    pub noskip: Vec<Skip>,
+
+    /// Print what was counted, and the times
+    #[arg(long, help_heading = HEADING)]
+    pub stats: bool,
+
+    /// Print the options in force, defaults included
+    #[arg(long, help_heading = HEADING)]
+    pub verbose: bool,
+
+    /// No warnings and no progress bar
+    #[arg(long, help_heading = HEADING, conflicts_with = "verbose")]
+    pub quiet: bool,
+}
+
+impl GeneralArgs {
+    /// The tile loop's options; `label` names the work in the progress bar.
+    pub fn tile_options<'a>(&self, label: &'a str) -> TileOptions<'a> {
+        TileOptions {
+            tile: self.tile,
+            threads: self.threads.map(|n| n as usize),
+            label: Some(label),
+            stop: None,
+        }
+    }
+
+    /// Whether this kind of needless work is to be skipped, as it is unless switched off.
+    pub fn skips(&self, skip: Skip) -> bool {
+        !self.noskip.contains(&skip)
+    }
+}
+
+/// The instruction set asked for; what the machine lacks is an error of the program.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum SimdChoice {
+    /// The best that the machine has.
+    #[default]
+    Auto,
+    /// What every machine of this kind has.
+    Baseline,
+    /// 128 bits.
+    Sse4,
+    /// 256 bits.
+    Avx2,
+    /// 512 bits.
+    Avx512,
+}
+
+/// Kinds of needless work that are skipped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Skip {
+    /// Camera rays of tiles that cannot see any object
+    Tile,
+    /// Shadow rays towards lights behind the surface
+    Behind,
+    /// Shadow rays towards lights that give nothing there
+    Dark,
+    /// Mirrored and refracted rays of black weight
+    Black,
+}
