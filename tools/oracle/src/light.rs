@@ -34,31 +34,19 @@ impl Light {
     pub fn new(spec: &LightSpec) -> Self {
         let kind = match spec.kind {
             LightKind::Directional { direction } => Kind::Directional(-direction.normalize()),
-            LightKind::Point {
-                position: p,
-                attenuation,
-            }
-            | LightKind::Sphere {
-                center: p,
-                attenuation,
-                ..
-            } => Kind::Point(p, attenuation.map(f64::from)),
+            LightKind::Point { position: p, attenuation }
+            | LightKind::Sphere { center: p, attenuation, .. } => Kind::Point(p, attenuation.map(f64::from)),
         };
-        Self {
-            color: spec.color.as_dvec3(),
-            kind,
-        }
+        Self { color: spec.color.as_dvec3(), kind }
     }
 
     /// What arrives at `point` if nothing is in the way. Nothing where the falloff's
     /// denominator is not above zero, and nothing exactly at the light itself.
     pub fn at(&self, point: DVec3) -> Option<Arriving> {
         match self.kind {
-            Kind::Directional(direction) => Some(Arriving {
-                direction,
-                distance: f64::INFINITY,
-                color: self.color,
-            }),
+            Kind::Directional(direction) => {
+                Some(Arriving { direction, distance: f64::INFINITY, color: self.color })
+            }
             Kind::Point(position, [constant, linear, quadratic]) => {
                 let distance = position.distance(point);
                 let falloff = constant + linear * distance + quadratic * distance * distance;

@@ -60,10 +60,7 @@ impl Object {
             Shape::Plane(plane) => vec![plane.anchor()],
             Shape::Triangles(Soup { triangles, .. }) => triangles.as_flattened().to_vec(),
         };
-        local
-            .into_iter()
-            .map(|p| self.to_world.transform_point3(p))
-            .collect()
+        local.into_iter().map(|p| self.to_world.transform_point3(p)).collect()
     }
 }
 
@@ -77,9 +74,7 @@ pub(crate) fn objects(scene: &Scene) -> Result<Vec<Object>, OracleError> {
     let mut frames: Vec<(DMat4, bool)> = Vec::with_capacity(scene.nodes.len());
     let mut objects = Vec::new();
     for (index, node) in scene.nodes.iter().enumerate() {
-        let mut frame = node
-            .parent
-            .map_or((DMat4::IDENTITY, false), |p| frames[p as usize]);
+        let mut frame = node.parent.map_or((DMat4::IDENTITY, false), |p| frames[p as usize]);
         match &node.kind {
             NodeKind::Group => {}
             NodeKind::Transform(list) => frame = (frame.0 * product(list), true),
@@ -95,14 +90,8 @@ pub(crate) fn objects(scene: &Scene) -> Result<Vec<Object>, OracleError> {
 }
 
 fn surface(scene: &Scene, node: &Node, material: u32) -> Result<Surface, OracleError> {
-    let missing = OracleError::Missing {
-        what: "material",
-        position: node.position,
-    };
-    Surface::new(
-        scene.materials.get(material as usize).ok_or(missing)?,
-        node.position,
-    )
+    let missing = OracleError::Missing { what: "material", position: node.position };
+    Surface::new(scene.materials.get(material as usize).ok_or(missing)?, node.position)
 }
 
 fn place(
@@ -126,10 +115,6 @@ fn place(
         normal_matrix: DMat3::from_mat4(to_object).transpose(),
         extent: 0.0,
     };
-    object.extent = object
-        .spanning_points()
-        .into_iter()
-        .map(largest)
-        .fold(0.0, f64::max);
+    object.extent = object.spanning_points().into_iter().map(largest).fold(0.0, f64::max);
     Ok(object)
 }

@@ -12,22 +12,14 @@ pub fn mirror(incoming: DVec3, normal: DVec3) -> DVec3 {
 /// Relative index n₁/n₂ at a surface of an object with `index` inside and 1 outside. I·N > 0
 /// for the outward normal means leaving.
 fn relative_index(incoming: DVec3, normal: DVec3, index: f64) -> f64 {
-    if incoming.dot(normal) > 0.0 {
-        index
-    } else {
-        1.0 / index
-    }
+    if incoming.dot(normal) > 0.0 { index } else { 1.0 / index }
 }
 
 /// The refracted unit direction by Snell's law, or `None` at total internal reflection.
 /// `incoming` and the outward `normal` have unit length.
 pub fn refract(incoming: DVec3, normal: DVec3, index: f64) -> Option<DVec3> {
     let eta = relative_index(incoming, normal, index);
-    let facing = if incoming.dot(normal) > 0.0 {
-        -normal
-    } else {
-        normal
-    };
+    let facing = if incoming.dot(normal) > 0.0 { -normal } else { normal };
     let cos_in = -incoming.dot(facing);
     let cos_out_squared = 1.0 - eta * eta * (1.0 - cos_in * cos_in);
     (cos_out_squared >= 0.0)

@@ -104,10 +104,7 @@ impl Options {
         if self.width == 0 || self.height == 0 {
             return refuse("the picture has no pixels");
         }
-        if self
-            .depth
-            .is_some_and(|(min, max)| !(max - min).is_normal())
-        {
+        if self.depth.is_some_and(|(min, max)| !(max - min).is_normal()) {
             return refuse("the two depths must be different finite numbers");
         }
         if self.grid.is_some_and(|g| g.cells.contains(&0)) {

@@ -39,15 +39,9 @@ pub struct Range {
 
 impl Range {
     /// Everything in front of the origin.
-    pub const FORWARD: Self = Self {
-        min: 0.0,
-        max: f64::INFINITY,
-    };
+    pub const FORWARD: Self = Self { min: 0.0, max: f64::INFINITY };
     /// The whole line, as orthographic cameras see it.
-    pub const LINE: Self = Self {
-        min: f64::NEG_INFINITY,
-        max: f64::INFINITY,
-    };
+    pub const LINE: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
 
     /// Is `t` strictly inside? NaN is not.
     pub fn contains(&self, t: f64) -> bool {

@@ -64,12 +64,9 @@ pub fn render(scene: &Scene, options: &Options) -> Result<Pictures, OracleError>
     };
     Ok(Pictures {
         colour: raster(&|s| s.colour),
-        depth: options.depth.map(|range| {
-            raster(&|s| {
-                s.surface
-                    .map_or(DVec3::ZERO, |(t, _)| DVec3::splat(grey(t, range)))
-            })
-        }),
+        depth: options
+            .depth
+            .map(|range| raster(&|s| s.surface.map_or(DVec3::ZERO, |(t, _)| DVec3::splat(grey(t, range))))),
         normals: options
             .normals
             .then(|| raster(&|s| s.surface.map_or(DVec3::ZERO, |(_, normal)| normal.abs()))),
@@ -80,10 +77,7 @@ pub fn render(scene: &Scene, options: &Options) -> Result<Pictures, OracleError>
 fn every_pixel<T: Send>(options: &Options, value: impl Fn(f64, f64) -> T + Sync) -> Vec<T> {
     let (width, value) = (options.width, &value);
     let row = |j| (0..width).map(move |i| value(f64::from(i) + 0.5, f64::from(j) + 0.5));
-    (0..options.height)
-        .into_par_iter()
-        .flat_map_iter(row)
-        .collect()
+    (0..options.height).into_par_iter().flat_map_iter(row).collect()
 }
 
 /// White at `min`, black at `max`, clamped in between.
@@ -93,33 +87,21 @@ fn grey(t: f64, (min, max): (f64, f64)) -> f64 {
 
 fn see_scene(world: &World, options: &Options, ray: Ray, view: &View) -> Seen {
     let Some(hit) = world.nearest(&ray, view.range()) else {
-        return Seen {
-            colour: world.background,
-            surface: None,
-        };
+        return Seen { colour: world.background, surface: None };
     };
     let colour = match options.model {
         Model::Flat => hit.surface.diffuse,
         Model::Diffuse | Model::Phong => shade::local(world, options, &ray, &hit),
         Model::Whitted => tree::colour(world, options, ray, view.range()),
     };
-    Seen {
-        colour,
-        surface: Some((hit.t, hit.normal)),
-    }
+    Seen { colour, surface: Some((hit.t, hit.normal)) }
 }
 
 fn see_cells(world: &World, cells: &CellGrid, ray: &Ray, view: &View) -> Seen {
     let Some(hit) = cells.first(ray, view.range()) else {
-        return Seen {
-            colour: world.background,
-            surface: None,
-        };
+        return Seen { colour: world.background, surface: None };
     };
     let diffuse = crate::cell_colour(hit.count);
     let lit = shade::sum_of_lights(world, ray.at(hit.t), hit.normal, |_| diffuse);
-    Seen {
-        colour: world.ambient * diffuse + lit,
-        surface: Some((hit.t, hit.normal)),
-    }
+    Seen { colour: world.ambient * diffuse + lit, surface: Some((hit.t, hit.normal)) }
 }

@@ -20,8 +20,7 @@ pub(crate) fn local(world: &World, options: &Options, ray: &Ray, hit: &Hit) -> D
         let highlight = match options.model {
             Model::Flat | Model::Diffuse => 0.0,
             Model::Phong | Model::Whitted => {
-                lobe(options.specular, normal, arriving.direction, -ray.direction)
-                    .powf(surface.exponent)
+                lobe(options.specular, normal, arriving.direction, -ray.direction).powf(surface.exponent)
             }
         };
         visible * (surface.diffuse + surface.specular * highlight)
@@ -61,10 +60,7 @@ fn visibility(world: &World, options: &Options, hit: &Hit, arriving: &Arriving) 
     }
     let ray = hit.leave(arriving.direction);
     // A surface that the light sits on does not hide it.
-    let range = Range {
-        min: 0.0,
-        max: arriving.distance - hit.standoff,
-    };
+    let range = Range { min: 0.0, max: arriving.distance - hit.standoff };
     if options.transparent_shadows {
         filtered(world, &ray, range, hit.standoff)
     } else if world.nearest(&ray, range).is_some() {
@@ -88,8 +84,5 @@ fn filtered(world: &World, ray: &Ray, range: Range, same: f64) -> DVec3 {
     });
     crossed.sort_by(|a, b| a.1.cmp(&b.1).then(a.0.total_cmp(&b.0)));
     crossed.dedup_by(|b, a| a.1 == b.1 && b.0 - a.0 <= same && a.2 == b.2);
-    crossed
-        .iter()
-        .map(|(_, _, surface)| surface.transparent)
-        .product()
+    crossed.iter().map(|(_, _, surface)| surface.transparent).product()
 }

@@ -26,14 +26,7 @@ struct Branch {
 /// bounces fits into memory.
 pub(crate) fn colour(world: &World, options: &Options, ray: Ray, range: Range) -> DVec3 {
     let (factor, absorption) = (DVec3::ONE, DVec3::ZERO);
-    let mut pending = vec![Branch {
-        ray,
-        range,
-        factor,
-        weight: 1.0,
-        depth: 0,
-        absorption,
-    }];
+    let mut pending = vec![Branch { ray, range, factor, weight: 1.0, depth: 0, absorption }];
     let mut sum = DVec3::ZERO;
     while let Some(branch) = pending.pop() {
         let Some(hit) = world.nearest(&branch.ray, branch.range) else {
@@ -60,14 +53,7 @@ fn children(options: &Options, parent: &Branch, hit: &Hit) -> impl Iterator<Item
     });
     let refracted = grow(options, parent, hit, kt, || {
         let direction = refract(incoming, hit.normal, hit.surface.index_of_refraction)?;
-        Some((
-            direction,
-            if entering {
-                hit.surface.absorption
-            } else {
-                DVec3::ZERO
-            },
-        ))
+        Some((direction, if entering { hit.surface.absorption } else { DVec3::ZERO }))
     });
     mirrored.into_iter().chain(refracted)
 }

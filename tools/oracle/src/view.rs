@@ -49,16 +49,12 @@ impl View {
         let y = (upward - self.height / 2.0) / larger;
         let on_screen = x * self.right + y * self.up;
         match self.kind {
-            CameraKind::Orthographic { size } => Ray {
-                origin: self.center + size * on_screen,
-                direction: self.direction,
-            },
+            CameraKind::Orthographic { size } => {
+                Ray { origin: self.center + size * on_screen, direction: self.direction }
+            }
             CameraKind::Perspective { angle } => {
                 let side = 2.0 * (angle.to_radians() / 2.0).tan();
-                Ray {
-                    origin: self.center,
-                    direction: (self.direction + side * on_screen).normalize(),
-                }
+                Ray { origin: self.center, direction: (self.direction + side * on_screen).normalize() }
             }
         }
     }
@@ -74,13 +70,7 @@ impl View {
 }
 
 fn refuse_later(camera: &CameraSpec) -> Result<(), OracleError> {
-    let later = |what| {
-        Err(OracleError::Later {
-            what,
-            assignment: 7,
-            position: camera.position,
-        })
-    };
+    let later = |what| Err(OracleError::Later { what, assignment: 7, position: camera.position });
     if camera.lens.is_some() {
         return later("a camera with a lens");
     }

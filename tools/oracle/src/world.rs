@@ -31,10 +31,7 @@ impl Hit<'_> {
     /// surface that it goes to.
     pub(crate) fn leave(&self, direction: DVec3) -> Ray {
         let side = self.normal.dot(direction).signum();
-        Ray {
-            origin: self.point + side * self.standoff * self.normal,
-            direction,
-        }
+        Ray { origin: self.point + side * self.standoff * self.normal, direction }
     }
 }
 
@@ -53,11 +50,7 @@ impl World {
     pub fn new(scene: &Scene) -> Result<Self, OracleError> {
         if scene.background.environment.is_some() {
             let (what, position) = ("an environment light", scene.camera.position);
-            return Err(OracleError::Later {
-                what,
-                assignment: 8,
-                position,
-            });
+            return Err(OracleError::Later { what, assignment: 8, position });
         }
         Ok(Self {
             objects: objects(scene)?,
@@ -71,9 +64,7 @@ impl World {
     pub(crate) fn cross<'a>(&'a self, ray: &Ray, mut found: impl FnMut(&'a Object, Crossing)) {
         for object in &self.objects {
             let local = ray.transformed(&object.to_object);
-            object
-                .shape
-                .cross(&local, &mut |crossing| found(object, crossing));
+            object.shape.cross(&local, &mut |crossing| found(object, crossing));
         }
     }
 

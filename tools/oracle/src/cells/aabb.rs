@@ -13,19 +13,12 @@ impl Aabb {
     /// The smallest box around at least one point.
     pub fn of(points: &[DVec3]) -> Self {
         let one = |&p: &DVec3| Self { min: p, max: p };
-        points
-            .iter()
-            .map(one)
-            .reduce(Self::around)
-            .expect("a box around no point")
+        points.iter().map(one).reduce(Self::around).expect("a box around no point")
     }
 
     /// The smallest box around both.
     pub fn around(self, other: Self) -> Self {
-        Self {
-            min: self.min.min(other.min),
-            max: self.max.max(other.max),
-        }
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
     /// Do the closed boxes overlap? Touching counts.

@@ -40,9 +40,7 @@ impl CellGrid {
     pub fn new(world: &World, picture: CellPicture) -> Self {
         let occupants = occupants(world);
         let Some(bounds) = occupants.iter().map(|o| o.bounds).reduce(Aabb::around) else {
-            return Self {
-                occupied: Vec::new(),
-            };
+            return Self { occupied: Vec::new() };
         };
         let [nx, ny, nz] = picture.cells;
         let layer = |k| (0..ny).flat_map(move |j| (0..nx).map(move |i| [i, j, k]));
@@ -50,28 +48,15 @@ impl CellGrid {
         let fill = |index: [u32; 3]| {
             let last = std::array::from_fn(|a| index[a] + 1 == picture.cells[a]);
             let bounds = cell_bounds(&bounds, picture.cells, index);
-            let count = occupants
-                .iter()
-                .filter(|o| o.fills(&bounds, picture.fit))
-                .count();
-            Cell {
-                index,
-                bounds,
-                last,
-                count: count as u32,
-            }
+            let count = occupants.iter().filter(|o| o.fills(&bounds, picture.fit)).count();
+            Cell { index, bounds, last, count: count as u32 }
         };
-        Self {
-            occupied: indices.map(fill).filter(|cell| cell.count > 0).collect(),
-        }
+        Self { occupied: indices.map(fill).filter(|cell| cell.count > 0).collect() }
     }
 
     /// How many objects the cell at `index` holds; 0 outside the grid.
     pub fn count(&self, index: [u32; 3]) -> u32 {
-        self.occupied
-            .iter()
-            .find(|cell| cell.index == index)
-            .map_or(0, |cell| cell.count)
+        self.occupied.iter().find(|cell| cell.index == index).map_or(0, |cell| cell.count)
     }
 
     /// The number of cells that hold at least one object.
@@ -91,8 +76,5 @@ fn cell_bounds(grid: &Aabb, cells: [u32; 3], index: [u32; 3]) -> Aabb {
         grid.min[axis] + size * f64::from(i) / f64::from(cells[axis])
     };
     let faces = |above: u32| DVec3::from_array(std::array::from_fn(|a| face(a, index[a] + above)));
-    Aabb {
-        min: faces(0),
-        max: faces(1),
-    }
+    Aabb { min: faces(0), max: faces(1) }
 }

@@ -48,27 +48,16 @@ fn of_object(object: &Object) -> Vec<Occupant> {
     match &object.shape {
         Shape::Plane(_) => Vec::new(),
         Shape::Sphere(sphere) => vec![of_sphere(object, sphere)],
-        Shape::Triangles(soup) => soup
-            .triangles
-            .iter()
-            .map(|triangle| of_triangle(object, triangle))
-            .collect(),
+        Shape::Triangles(soup) => {
+            soup.triangles.iter().map(|triangle| of_triangle(object, triangle)).collect()
+        }
     }
 }
 
 fn of_sphere(object: &Object, sphere: &Sphere) -> Occupant {
-    let corners = sphere
-        .box_corners()
-        .map(|p| object.to_world.transform_point3(p));
-    let form = if object.transformed {
-        Form::Boxed
-    } else {
-        Form::Sphere(*sphere)
-    };
-    Occupant {
-        bounds: Aabb::of(&corners),
-        form,
-    }
+    let corners = sphere.box_corners().map(|p| object.to_world.transform_point3(p));
+    let form = if object.transformed { Form::Boxed } else { Form::Sphere(*sphere) };
+    Occupant { bounds: Aabb::of(&corners), form }
 }
 
 /// Vertices are rounded to single precision, as the core keeps them: which cell a vertex on a
@@ -76,8 +65,5 @@ fn of_sphere(object: &Object, sphere: &Sphere) -> Occupant {
 fn of_triangle(object: &Object, triangle: &Triangle) -> Occupant {
     let place = |v: DVec3| object.to_world.transform_point3(v).as_vec3().as_dvec3();
     let vertices = triangle.map(place);
-    Occupant {
-        bounds: Aabb::of(&vertices),
-        form: Form::Triangle(vertices),
-    }
+    Occupant { bounds: Aabb::of(&vertices), form: Form::Triangle(vertices) }
 }

@@ -24,6 +24,5 @@ pub(super) fn triangle_touches(triangle: &Triangle, cell: &Aabb) -> bool {
     };
     let edges = [b - a, c - b, a - c];
     let crossed = |unit: DVec3| edges.iter().any(|&edge| separates(unit.cross(edge)));
-    !separates(edges[0].cross(edges[1]))
-        && ![DVec3::X, DVec3::Y, DVec3::Z].map(crossed).contains(&true)
+    !separates(edges[0].cross(edges[1])) && ![DVec3::X, DVec3::Y, DVec3::Z].map(crossed).contains(&true)
 }

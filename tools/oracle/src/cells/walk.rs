@@ -24,10 +24,7 @@ impl CellGrid {
     /// at the upper end of the grid; a ray that only touches an edge or a corner is not in the
     /// cell, unless the cell is flat and cannot be crossed otherwise.
     pub fn first(&self, ray: &Ray, range: Range) -> Option<CellHit> {
-        let hits = self
-            .occupied
-            .iter()
-            .filter_map(|cell| cell.enter(ray, range));
+        let hits = self.occupied.iter().filter_map(|cell| cell.enter(ray, range));
         hits.reduce(|best, hit| if hit.t < best.t { hit } else { best })
     }
 }
@@ -37,10 +34,7 @@ impl Cell {
     fn enter(&self, ray: &Ray, range: Range) -> Option<CellHit> {
         let slabs: [(f64, f64); 3] = std::array::from_fn(|axis| self.slab(ray, axis));
         let near = DVec3::from_array(slabs.map(|(near, _)| near));
-        let far = slabs
-            .iter()
-            .map(|&(_, far)| far)
-            .fold(f64::INFINITY, f64::min);
+        let far = slabs.iter().map(|&(_, far)| far).fold(f64::INFINITY, f64::min);
         let axis = near.max_position();
         let t = near[axis];
         let flat = self.bounds.min.cmpeq(self.bounds.max).any();
@@ -50,12 +44,7 @@ impl Cell {
         }
         let mut normal = DVec3::ZERO;
         normal[axis] = -ray.direction[axis].signum();
-        Some(CellHit {
-            cell: self.index,
-            count: self.count,
-            t,
-            normal,
-        })
+        Some(CellHit { cell: self.index, count: self.count, t, normal })
     }
 
     /// Where the line is between the two faces across `axis`; empty (∞, −∞) if it runs outside

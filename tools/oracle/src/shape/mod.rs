@@ -39,30 +39,17 @@ impl Shape {
     pub fn new(scene: &Scene, node: &Node, spec: &ShapeSpec) -> Result<Self, OracleError> {
         Ok(match *spec {
             ShapeSpec::Sphere { center, radius } => Self::Sphere(Sphere { center, radius }),
-            ShapeSpec::Plane {
-                normal,
-                offset,
-                disc,
-            } => Self::Plane(Plane::new(normal, offset, disc)),
+            ShapeSpec::Plane { normal, offset, disc } => Self::Plane(Plane::new(normal, offset, disc)),
             ShapeSpec::Triangle { vertices } => Self::Triangles(Soup::new(vec![vertices])),
             ShapeSpec::Mesh { smooth: true, .. } => {
                 let (what, position) = ("a smooth mesh", node.position);
-                return Err(OracleError::Later {
-                    what,
-                    assignment: 6,
-                    position,
-                });
+                return Err(OracleError::Later { what, assignment: 6, position });
             }
             ShapeSpec::Mesh { mesh, .. } => {
-                let missing = OracleError::Missing {
-                    what: "mesh",
-                    position: node.position,
-                };
+                let missing = OracleError::Missing { what: "mesh", position: node.position };
                 let mesh = scene.meshes.get(mesh as usize).ok_or(missing)?;
                 let corner = |i: u32| mesh.positions[i as usize].as_dvec3();
-                Self::Triangles(Soup::new(
-                    mesh.triangles.iter().map(|t| t.map(corner)).collect(),
-                ))
+                Self::Triangles(Soup::new(mesh.triangles.iter().map(|t| t.map(corner)).collect()))
             }
         })
     }

@@ -20,15 +20,9 @@ impl Plane {
     /// disc's centre anywhere: it is projected onto the plane.
     pub fn new(normal: DVec3, offset: f64, disc: Option<Disc>) -> Self {
         let normal = normal.normalize();
-        let project = |d: Disc| Disc {
-            center: d.center + (offset - d.center.dot(normal)) * normal,
-            radius: d.radius,
-        };
-        Self {
-            normal,
-            offset,
-            disc: disc.map(project),
-        }
+        let project =
+            |d: Disc| Disc { center: d.center + (offset - d.center.dot(normal)) * normal, radius: d.radius };
+        Self { normal, offset, disc: disc.map(project) }
     }
 
     /// The crossing, if the line is not parallel. The rim of a disc belongs to it.
@@ -38,11 +32,7 @@ impl Plane {
             return None;
         }
         let inside = |d: Disc| ray.at(t).distance(d.center) <= d.radius;
-        self.disc.is_none_or(inside).then_some(Crossing {
-            t,
-            normal: self.normal,
-            triangle: 0,
-        })
+        self.disc.is_none_or(inside).then_some(Crossing { t, normal: self.normal, triangle: 0 })
     }
 
     /// A point of the plane that tells how far from the origin it is.

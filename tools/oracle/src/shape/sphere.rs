@@ -31,11 +31,7 @@ impl Sphere {
         let closest = to_center.dot(ray.direction) / length_squared;
         let miss_squared = (to_center - closest * ray.direction).length_squared();
         let half_chord_squared = (self.radius * self.radius - miss_squared) / length_squared;
-        let crossing = |t| Crossing {
-            t,
-            normal: ray.at(t) - self.center,
-            triangle: 0,
-        };
+        let crossing = |t| Crossing { t, normal: ray.at(t) - self.center, triangle: 0 };
         // NaN is no crossing.
         (half_chord_squared >= 0.0).then(|| {
             let half_chord = half_chord_squared.sqrt();

@@ -44,11 +44,7 @@ impl Soup {
                 };
                 let [a, b, c] = *triangle;
                 let normal = (b - a).cross(c - a);
-                found(Crossing {
-                    t,
-                    normal,
-                    triangle: run * RUN + i,
-                });
+                found(Crossing { t, normal, triangle: run * RUN + i });
             }
         }
     }
@@ -84,11 +80,7 @@ impl Sheared {
         let z = d.abs().max_position();
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
         let shear = DVec3::new(d[x] / d[z], d[y] / d[z], 1.0 / d[z]);
-        Self {
-            origin: ray.origin,
-            axes: [x, y, z],
-            shear,
-        }
+        Self { origin: ray.origin, axes: [x, y, z], shear }
     }
 
     /// Where a vertex lies when the ray is the z axis; its z is the ray's t.
