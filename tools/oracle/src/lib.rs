@@ -1,1 +1,42 @@
-//! Placeholder.
+//! The independent reference renderer: double precision, brute force, written for clarity.
+//!
+//! It draws everything that assignments 1 to 5 can draw, and shares with the fast core only the
+//! scene as it was read (`common::scene`, `common::mesh`) and the vector type. Cameras, shapes,
+//! shading and the cell picture are written here a second time, straight from the pixel rules,
+//! so that a mistake in one of the two renderers shows as a difference between them.
+//!
+//! ```text
+//! Scene ── World (objects with composed transforms, lights)
+//!            │
+//! View ── Ray ── World::nearest ── Hit ── shade / tree ── Pictures
+//!            └── cells (the picture of -visualize_grid)
+//! ```
+//!
+//! [`render`] makes whole pictures. [`View::ray`] and [`World::nearest`] answer for one ray,
+//! at any position inside a pixel, which is what agreement tests need.
+
+mod cells;
+mod error;
+mod light;
+mod object;
+mod optics;
+mod options;
+mod ray;
+mod render;
+mod shade;
+mod shape;
+mod surface;
+mod transform;
+mod tree;
+mod view;
+mod world;
+
+pub use cells::{CellGrid, CellHit, cell_colour};
+pub use error::OracleError;
+pub use optics::{fresnel_reflectance, mirror, refract};
+pub use options::{CellPicture, GridFit, Model, Options, Specular};
+pub use ray::{Range, Ray};
+pub use render::{Pictures, Raster, render};
+pub use surface::Surface;
+pub use view::View;
+pub use world::{Hit, World};

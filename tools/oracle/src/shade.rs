@@ -1,0 +1,88 @@
+//! Local light: ambient, diffuse and highlights, with shadows (course rules §4.3 and §4.4).
+
+use crate::light::Arriving;
+use crate::{Hit, Model, Options, Range, Ray, Specular, World};
+use common::math::DVec3;
+
+/// The colour of a hit by the lights and the ambient light alone.
+///
+/// A surface seen from behind (ray·N > 0) is black, not even ambient, unless `-shade_back`
+/// turns its normal round.
+pub(crate) fn local(world: &World, options: &Options, ray: &Ray, hit: &Hit) -> DVec3 {
+    let from_behind = ray.direction.dot(hit.normal) > 0.0;
+    if from_behind && !options.shade_back {
+        return DVec3::ZERO;
+    }
+    let normal = if from_behind { -hit.normal } else { hit.normal };
+    let surface = hit.surface;
+    let lit = sum_of_lights(world, hit.point, normal, |arriving| {
+        let visible = visibility(world, options, hit, arriving);
+        let highlight = match options.model {
+            Model::Flat | Model::Diffuse => 0.0,
+            Model::Phong | Model::Whitted => {
+                lobe(options.specular, normal, arriving.direction, -ray.direction).powf(surface.exponent)
+            }
+        };
+        visible * (surface.diffuse + surface.specular * highlight)
+    });
+    world.ambient * surface.diffuse + lit
+}
+
+/// Σ reflectance ∘ light · max(0, L·N) over the lights in front of the surface.
+pub(crate) fn sum_of_lights(
+    world: &World,
+    point: DVec3,
+    normal: DVec3,
+    reflectance: impl Fn(&Arriving) -> DVec3,
+) -> DVec3 {
+    let arriving = world.lights.iter().filter_map(|light| light.at(point));
+    arriving
+        .map(|a| (a, normal.dot(a.direction)))
+        .filter(|&(_, cosine)| cosine > 0.0)
+        .map(|(a, cosine)| reflectance(&a) * a.color * cosine)
+        .sum()
+}
+
+/// The cosine that the exponent is applied to, never negative. Both forms are multiplied by
+/// N·L afterwards, so that they differ in the shape of the highlight only.
+fn lobe(form: Specular, normal: DVec3, to_light: DVec3, to_eye: DVec3) -> f64 {
+    let cosine = match form {
+        Specular::Blinn => normal.dot((to_light + to_eye).normalize_or_zero()),
+        Specular::Phong => (2.0 * normal.dot(to_light) * normal - to_light).dot(to_eye),
+    };
+    cosine.max(0.0)
+}
+
+/// Which part of a light gets through to a hit: white for all of it, black for none.
+fn visibility(world: &World, options: &Options, hit: &Hit, arriving: &Arriving) -> DVec3 {
+    if options.model != Model::Whitted || !options.shadows {
+        return DVec3::ONE;
+    }
+    let ray = hit.leave(arriving.direction);
+    // A surface that the light sits on does not hide it.
+    let range = Range { min: 0.0, max: arriving.distance - hit.standoff };
+    if options.transparent_shadows {
+        filtered(world, &ray, range, hit.standoff)
+    } else if world.nearest(&ray, range).is_some() {
+        DVec3::ZERO
+    } else {
+        DVec3::ONE
+    }
+}
+
+/// The product of the transparent colours of every surface crossed.
+///
+/// A ray along the common edge of two triangles meets both. That is one surface, so crossings
+/// of one material, on one side, at one place (within `same`) count once.
+fn filtered(world: &World, ray: &Ray, range: Range, same: f64) -> DVec3 {
+    let mut crossed = Vec::new();
+    world.cross(ray, |object, crossing| {
+        if range.contains(crossing.t) {
+            let leaving = ray.direction.dot(object.world_normal(&crossing)) > 0.0;
+            crossed.push((crossing.t, leaving, &object.surface));
+        }
+    });
+    crossed.sort_by(|a, b| a.1.cmp(&b.1).then(a.0.total_cmp(&b.0)));
+    crossed.dedup_by(|b, a| a.1 == b.1 && b.0 - a.0 <= same && a.2 == b.2);
+    crossed.iter().map(|(_, _, surface)| surface.transparent).product()
+}
