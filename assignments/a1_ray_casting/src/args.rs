@@ -47,7 +47,7 @@ impl CastArgs {
 
     /// Whether neither a picture nor the statistics are asked for.
     pub fn is_idle(&self) -> bool {
-        self.outputs().is_empty() && !self.general.stats
+        self.outputs().is_empty() && !self.general.program.stats
     }
 
     /// The depth layer and its range.

@@ -80,7 +80,7 @@ impl Studio {
         report.time("write", || {
             pictures.iter().zip(&films.0).try_for_each(|(p, film)| write(&p.path, film, Transfer::Linear))
         })?;
-        if args.general.stats {
+        if args.general.program.stats {
             cli::say(&report.to_string());
         }
         Ok(())

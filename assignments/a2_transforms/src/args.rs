@@ -46,7 +46,7 @@ impl DiffuseArgs {
     /// # Errors
     /// If neither a picture nor the statistics are asked for.
     pub fn refuse_idleness(&self) -> Result<(), AppError> {
-        if self.outputs().is_empty() && !self.cast.general.stats {
+        if self.outputs().is_empty() && !self.cast.general.program.stats {
             let what = "nothing to do: give -output, -depth, -normals or -stats";
             return Err(AppError::Usage(what.to_owned()));
         }
