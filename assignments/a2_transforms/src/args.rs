@@ -6,6 +6,20 @@ use common::cli::AppError;
 use common::scene::Scene;
 use std::path::{Path, PathBuf};
 
+/// Diffuse light on spheres, planes, triangles and meshes under transforms; normals as colours.
+#[derive(clap::Parser)]
+#[command(
+    name = "a2_transforms",
+    version,
+    rename_all = "snake_case",
+    after_help = "Example:\n  a2_transforms -input scenes/scene2_03_colored_lights.txt -size 200 200 -output out.tga -normals normals.tga"
+)]
+pub struct Program {
+    /// All flags.
+    #[command(flatten)]
+    pub args: DiffuseArgs,
+}
+
 /// Normals and two-sided light.
 #[derive(Clone, Debug, clap::Args)]
 #[command(rename_all = "snake_case", next_help_heading = "Assignment 2: transforms and diffuse light")]

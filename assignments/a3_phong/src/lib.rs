@@ -7,7 +7,7 @@
 mod args;
 mod phong;
 
-pub use args::{PhongArgs, Specular};
+pub use args::{PhongArgs, Program, Specular};
 pub use phong::{Phong, PhongColor};
 
 use a1_ray_casting::{Studio, picture};

@@ -9,6 +9,20 @@ use common::cli::{self, AppError, Skip};
 use common::scene::Scene;
 use std::path::Path;
 
+/// Whitted ray tracing: shadows, reflection, refraction.
+#[derive(clap::Parser)]
+#[command(
+    name = "a4_whitted",
+    version,
+    rename_all = "snake_case",
+    after_help = "Example:\n  a4_whitted -input scenes/scene4_04_reflective_sphere.txt -size 200 200 -output out.tga -shadows -bounces 3 -weight 0.01"
+)]
+pub struct Program {
+    /// All flags.
+    #[command(flatten)]
+    pub args: WhittedArgs,
+}
+
 /// Shadows and secondary rays.
 #[derive(Clone, Debug, clap::Args)]
 #[command(rename_all = "snake_case", next_help_heading = "Assignment 4: shadows, mirrors, glass")]

@@ -8,6 +8,20 @@ use common::cli::{self, AppError};
 use common::geometry::Geometry;
 use std::path::Path;
 
+/// A uniform grid: its cells as a picture, and ray tracing through it.
+#[derive(clap::Parser)]
+#[command(
+    name = "a5_grid",
+    version,
+    rename_all = "snake_case",
+    after_help = "Example:\n  a5_grid -input scenes/scene5_09_bunny_mesh_40k.txt -size 200 200 -output out.tga -grid 40 40 33 -visualize_grid"
+)]
+pub struct Program {
+    /// All flags.
+    #[command(flatten)]
+    pub args: GridArgs,
+}
+
 /// The grid.
 #[derive(Clone, Debug, clap::Args)]
 #[command(rename_all = "snake_case", next_help_heading = "Assignment 5: the grid")]

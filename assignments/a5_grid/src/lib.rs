@@ -8,7 +8,7 @@ mod march;
 pub mod overlap;
 pub mod voxelise;
 
-pub use args::GridArgs;
+pub use args::{GridArgs, Program};
 pub use cell_picture::{CellPicture, cell_color};
 pub use cells::{Cells, MAX_CELLS};
 pub use grid::Grid;
