@@ -4,7 +4,7 @@ mod area;
 mod obj;
 
 pub use area::has_area;
-pub use obj::{MOST_BYTES, MeshError, parse_obj, read_obj};
+pub use obj::{MeshError, parse_obj, read_obj};
 
 use crate::math::{Vec2, Vec3};
 

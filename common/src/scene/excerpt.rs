@@ -3,7 +3,8 @@
 //! Only the lines of interest are copied, and of a long line only the part around the span, so
 //! that an error in a file of one 100 MB line prints a line of terminal width.
 
-use super::lexer::{Span, bom_length, position_of};
+use super::lexer::Span;
+use super::line_counter::{bom_length, position_of};
 use std::ops::Range;
 
 /// A line of no more bytes than this is shown whole.

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Largest scene file that is read, in bytes: a thousand times what any person writes.
-pub const MOST_BYTES: u64 = 256 << 20;
+const MOST_BYTES: u64 = 256 << 20;
 
 /// Where meshes and pictures come from while a scene is parsed: the file system, or a test's
 /// table.
@@ -36,7 +36,7 @@ pub trait MeshSource {
 /// whatever names the scene mentions it.
 ///
 /// # Errors
-/// If the file cannot be read, is larger than [`MOST_BYTES`], is not UTF-8 or not a scene, or
+/// If the file cannot be read, is larger than 256 MiB, is not UTF-8 or not a scene, or
 /// if a mesh it names cannot be read or a picture it names is not there.
 pub fn load(path: &Path) -> Result<Scene, SceneError> {
     let name = path.display().to_string();
@@ -137,9 +137,13 @@ impl Folder {
         if in_working_directory.is_file() {
             return Ok(in_working_directory);
         }
-        let suggestion =
-            similar_name(&beside_scene).map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
-        Err(format!("there is no file `{name}` beside the scene or in the working directory{suggestion}"))
+        let suggestion = similar_name(&beside_scene)
+            .map(|name| format!("; did you mean `{name}`?"))
+            .unwrap_or_default();
+        let name = name.escape_debug();
+        Err(format!(
+            "there is no file `{name}` beside the scene or in the working directory{suggestion}"
+        ))
     }
 }
 

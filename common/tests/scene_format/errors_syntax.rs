@@ -4,90 +4,6 @@ use crate::{behind_prelude, report};
 use insta::assert_snapshot;
 
 #[test]
-fn number_missing() {
-    let text = r"Group {
-    numObjects 1
-    MaterialIndex 0
-    Sphere { center 0 0 0 radius }
-}";
-    assert_snapshot!(behind_prelude(text), @r"
-    error: expected a number for `radius`, found `}`
-     --> scene.txt:6:34
-      |
-    6 |     Sphere { center 0 0 0 radius }
-      |                                  ^
-    ");
-}
-
-#[test]
-fn number_misspelt() {
-    let text = r"Group { numObjects 1 MaterialIndex 0
-    Sphere { center 0 1O 0 radius 1 }
-}";
-    assert_snapshot!(behind_prelude(text), @r"
-    error: expected a number for `center` (second of 3), found `1O`
-     --> scene.txt:4:23
-      |
-    4 |     Sphere { center 0 1O 0 radius 1 }
-      |                       ^^
-    ");
-}
-
-#[test]
-fn commas_between_numbers() {
-    let text = r"Background { color 0.1, 0.2, 0.3 }";
-    assert_snapshot!(behind_prelude(text), @r"
-    error: expected a number for `color` (first of 3), found `0.1,`
-     --> scene.txt:3:20
-      |
-    3 | Background { color 0.1, 0.2, 0.3 }
-      |                    ^^^^
-      |
-      = help: numbers are separated by blanks, not by commas
-    ");
-}
-
-#[test]
-fn infinite_number() {
-    let text = r"Background { color 0 inf 0 }";
-    assert_snapshot!(behind_prelude(text), @r"
-    error: expected a number for `color` (second of 3), found `inf`
-     --> scene.txt:3:22
-      |
-    3 | Background { color 0 inf 0 }
-      |                      ^^^
-      |
-      = help: numbers must be finite
-    ");
-}
-
-#[test]
-fn hexadecimal_number() {
-    let text = r"Background { color 0 0x1p3 0 }";
-    assert_snapshot!(behind_prelude(text), @r"
-    error: expected a number for `color` (second of 3), found `0x1p3`
-     --> scene.txt:3:22
-      |
-    3 | Background { color 0 0x1p3 0 }
-      |                      ^^^^^
-      |
-      = help: numbers are decimal
-    ");
-}
-
-#[test]
-fn number_too_large() {
-    let text = r"Background { color 0 1e39 0 }";
-    assert_snapshot!(behind_prelude(text), @r"
-    error: `1e39` is too large for a 32-bit float
-     --> scene.txt:3:22
-      |
-    3 | Background { color 0 1e39 0 }
-      |                      ^^^^
-    ");
-}
-
-#[test]
 fn keyword_misspelt() {
     let text = r"Group {
     numobjects 1
@@ -130,42 +46,6 @@ fn field_of_another_block() {
       |     ------ in this block  ^^^^
       |
       = help: expected one of `center`, `radius`
-    ");
-}
-
-#[test]
-fn count_not_whole() {
-    let text = r"Group { numObjects 1.5 }";
-    assert_snapshot!(behind_prelude(text), @r"
-    error: expected a whole number for `numObjects`, found `1.5`
-     --> scene.txt:3:20
-      |
-    3 | Group { numObjects 1.5 }
-      |                    ^^^
-    ");
-}
-
-#[test]
-fn count_negative() {
-    let text = r"Group { numObjects -1 }";
-    assert_snapshot!(behind_prelude(text), @r"
-    error: `numObjects` must not be negative, found `-1`
-     --> scene.txt:3:20
-      |
-    3 | Group { numObjects -1 }
-      |                    ^^
-    ");
-}
-
-#[test]
-fn count_too_large() {
-    let text = r"Group { numObjects 99999999999 }";
-    assert_snapshot!(behind_prelude(text), @r"
-    error: `99999999999` is too large for `numObjects`
-     --> scene.txt:3:20
-      |
-    3 | Group { numObjects 99999999999 }
-      |                    ^^^^^^^^^^^
     ");
 }
 
@@ -250,6 +130,18 @@ fn text_after_the_last_block() {
 }
 
 #[test]
+fn name_missing() {
+    let text = r"Group { numObjects 1 MaterialIndex 0 TriangleMesh { obj_file } }";
+    assert_snapshot!(behind_prelude(text), @r"
+    error: expected a file name for `obj_file`, found `}`
+     --> scene.txt:3:62
+      |
+    3 | Group { numObjects 1 MaterialIndex 0 TriangleMesh { obj_file } }
+      |                                                              ^
+    ");
+}
+
+#[test]
 fn empty_file() {
     let text = r"";
     assert_snapshot!(report(text), @r"
@@ -260,5 +152,21 @@ fn empty_file() {
       | ^
       |
       = help: add a `PerspectiveCamera { … }` or an `OrthographicCamera { … }`
+    ");
+}
+
+#[test]
+fn an_explanation_far_away_has_an_excerpt_of_its_own() {
+    let text = format!("Group {{ numObjects 2{}MaterialIndex 0", "\n".repeat(1000));
+    assert_snapshot!(behind_prelude(&text), @r"
+    error: the file ends inside of this `Group`
+        --> scene.txt:1003:16
+         |
+    1003 | MaterialIndex 0
+         |                ^ expected `}`
+         |
+        :::
+       3 | Group { numObjects 2
+         | ----- block opened here
     ");
 }

@@ -62,7 +62,7 @@ fn every_prefix_is_read_or_refused() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn every_byte_edit_is_read_or_refused(which in 0..SCENES.len(), at: prop::sample::Index, byte: u8) {

@@ -2,9 +2,12 @@
 //! that no text brings the parser down.
 
 mod errors_meaning;
+mod errors_numbers;
+mod errors_objects;
 mod errors_syntax;
 mod files;
 mod hostile;
+mod materials;
 mod meaning;
 
 use common::mesh::{Mesh, MeshError};

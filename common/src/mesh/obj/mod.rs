@@ -8,9 +8,9 @@
 //! f 1/1/1 2/2/1 3/3/1      # vertex/texture coordinate/normal
 //! ```
 //!
-//! One pass of our own ([`reader`]) reads vertices and faces and checks every statement, which
+//! One pass of our own (`reader.rs`) reads vertices and faces and checks every statement, which
 //! gives errors their line and is several times faster than tobj. Texture coordinates and
-//! normals are left to tobj ([`attributes`]), which then sees only statements known to be good.
+//! normals are left to tobj (`attributes.rs`), which then sees only statements known to be good.
 //!
 //! Decisions: objects, groups, materials, lines, points and keywords that nobody knows are
 //! skipped; a face of one or two vertices, or of no area, is dropped and counted; a file without
@@ -27,7 +27,7 @@ use std::io::Read;
 use std::path::Path;
 
 /// Largest OBJ file that is read, in bytes.
-pub const MOST_BYTES: u64 = 1 << 30;
+const MOST_BYTES: u64 = 1 << 30;
 
 /// Why a mesh could not be read: the file, the line if there is one, and the reason.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -87,7 +87,7 @@ impl MeshError {
 /// Reads an OBJ file; see [`parse_obj`].
 ///
 /// # Errors
-/// If the file cannot be read or is larger than [`MOST_BYTES`], and as [`parse_obj`].
+/// If the file cannot be read or is larger than 1 GiB, and as [`parse_obj`].
 pub fn read_obj(path: &Path) -> Result<Mesh, MeshError> {
     let name = path.display().to_string();
     let fail = |error: std::io::Error| MeshError::new(error.to_string()).in_file(&name);

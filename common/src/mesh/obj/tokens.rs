@@ -70,6 +70,9 @@ impl<'a> Tokens<'a> {
         let text = str::from_utf8(word).unwrap_or_default();
         match text.parse::<f32>() {
             Ok(value) if value.is_finite() => Ok(Some(value)),
+            Ok(_) if word.iter().any(u8::is_ascii_digit) => {
+                Err(self.error(format!("{} is too large for a 32-bit float", quoted(word))))
+            }
             Ok(_) => Err(self.error(format!("{} is not a finite number", quoted(word)))),
             Err(_) => Err(self.error(format!("expected a number, found {}", quoted(word)))),
         }

@@ -99,8 +99,7 @@ fn is_singular(matrix: DMat3) -> bool {
         };
         scaled = columns.transpose();
     }
-    // The comparison is this way round so that a NaN counts as singular.
-    !(scaled.determinant().abs() > SINGULAR)
+    scaled.determinant().abs() <= SINGULAR
 }
 
 /// Divides each column by its largest entry; `None` if a column is zero.
