@@ -1,5 +1,7 @@
 //! Choosing one of several things with given probabilities, in constant time.
 
+use std::hint::select_unpredictable;
+
 /// The alias method: every one of n equally likely cells holds its own index and one other, and
 /// where in the cell the random number falls decides between the two.
 ///
@@ -59,11 +61,8 @@ impl AliasTable {
         let index = (product >> 64) as usize;
         let place = (product as u64) >> 32;
         let cell = &self.cells[index];
-        if place < cell.threshold {
-            index
-        } else {
-            cell.alias as usize
-        }
+        // No branch: the processor could not guess it, and a wrong guess costs more than a map.
+        select_unpredictable(place < cell.threshold, index, cell.alias as usize)
     }
 }
 

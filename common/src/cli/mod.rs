@@ -31,7 +31,8 @@
 //! fn main() -> std::process::ExitCode {
 //!     cli::run(|| {
 //!         let options: Options = cli::parse();
-//!         let size = common::picture::Size::new(options.picture.size[0], options.picture.size[1])?;
+//!         let [width, height] = options.picture.size[..] else { unreachable!() };
+//!         let size = common::picture::Size::new(width, height)?;
 //!         cli::say(&format!("{size}"));
 //!         Ok(())
 //!     })

@@ -142,11 +142,12 @@ fn a0t2_the_fern_has_the_mean_that_its_maps_demand() {
     const POINTS: u64 = 50_000;
     let mut mean = Point2 { x: 0.5, y: 0.5 };
     for _ in 0..500 {
-        let images = fern()
+        let system = fern();
+        let images: Vec<_> = system
             .maps()
             .iter()
-            .map(|e| (e.probability, e.map.apply(mean)))
-            .collect::<Vec<_>>();
+            .map(|entry| (entry.probability, entry.map.apply(mean)))
+            .collect();
         mean = Point2 {
             x: images.iter().map(|(p, image)| p * image.x).sum(),
             y: images.iter().map(|(p, image)| p * image.y).sum(),
