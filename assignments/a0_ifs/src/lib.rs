@@ -1,6 +1,6 @@
 //! Assignment 0: iterated function systems.
 //!
-//! A handful of affine maps, each with a probability, is all there is to a fern. [`parse`] reads
+//! A handful of affine maps, each with a probability, is all there is to a fern. [`parse()`] reads
 //! them (A0T1), [`ChaosGame`] lets points wander under randomly chosen maps (A0T2), and [`Dots`]
 //! is the picture of where they end up (A0T3).
 
