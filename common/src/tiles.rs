@@ -4,7 +4,7 @@
 //! delays nobody. What a tile holds may depend on its position only, never on the thread; then
 //! the picture is the same, bit for bit, for any number of threads and any tile size.
 //!
-//! [`render`] makes films, [`for_each_tile`] is the loop below it, and [`for_each_job`] the loop
+//! [`render()`] makes films, [`for_each_tile`] is the loop below it, and [`for_each_job`] the loop
 //! below that, for work that is not cut into rectangles.
 
 mod jobs;

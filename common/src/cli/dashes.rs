@@ -123,8 +123,10 @@ mod tests {
 
     #[test]
     fn columns_stay_aligned() {
-        let clap = "Options:\n      --size <W> <H>  Size\n                      in pixels\n  -h, --help          Help\n";
-        let course = "Options:\n  -size <W> <H>       Size\n                      in pixels\n  -h, -help           Help\n";
+        let clap = "Options:\n      --size <W> <H>  Size, or --big\n\
+                    \x20                     in pixels\n  -h, --help          Help\n";
+        let course = "Options:\n  -size <W> <H>       Size, or -big\n\
+                      \x20                     in pixels\n  -h, -help           Help\n";
         assert_eq!(singled(clap), course);
     }
 }

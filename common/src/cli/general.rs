@@ -11,7 +11,8 @@ pub(super) const HEADING: &str = "General";
 #[command(rename_all = "snake_case")]
 pub struct ProgramArgs {
     /// Number of threads; all cores if not given. Never changes a picture
-    #[arg(long, help_heading = HEADING, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    #[arg(long, help_heading = HEADING, value_name = "N")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub threads: Option<u32>,
 
     /// Print what was counted, and the times
@@ -43,7 +44,8 @@ impl ProgramArgs {
 #[command(rename_all = "snake_case")]
 pub struct GeneralArgs {
     /// Side of the square tiles that threads work on, in pixels. Never changes a picture
-    #[arg(long, help_heading = HEADING, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65_536))]
+    #[arg(long, help_heading = HEADING, value_name = "N")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=65_536))]
     pub tile: Option<u32>,
 
     /// Instruction set of the intersection kernels. Never changes a picture

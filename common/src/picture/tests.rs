@@ -163,6 +163,9 @@ fn the_content_tells_the_kind_before_the_suffix_does() {
     fs::rename(folder.path("a.png"), folder.path("really_a_png.tga")).unwrap();
     let back = read(&folder.path("really_a_png.tga"), Transfer::Linear).unwrap();
     assert_eq!(Transfer::Linear.levels(back.get(0, 0)), [255, 0, 0]);
+    fs::write(folder.path("grey.anything"), "P2 2 1 255 7 200").unwrap();
+    let back = read(&folder.path("grey.anything"), Transfer::Linear).unwrap();
+    assert_eq!(Transfer::Linear.levels(back.get(1, 0)), [200; 3]);
 }
 
 #[test]

@@ -49,12 +49,14 @@ proptest! {
         threads in 1..5_usize,
     ) {
         let seen = Mutex::new(vec![0; (width * height) as usize]);
-        let finished = for_each_tile(size(width, height), &options(tile, threads), || (), |(), tile| {
+        let see = |tile: Tile| {
             assert!(tile.area() == tile.pixels().count() && tile.area() > 0);
             for (x, y) in tile.pixels() {
                 seen.lock().unwrap()[(i64::from(y) * width + i64::from(x)) as usize] += 1;
             }
-        });
+        };
+        let (size, options) = (size(width, height), options(tile, threads));
+        let finished = for_each_tile(size, &options, || (), |(), tile| see(tile));
         prop_assert!(finished.complete);
         prop_assert!(seen.into_inner().unwrap().iter().all(|&n| n == 1));
     }
