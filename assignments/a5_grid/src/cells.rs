@@ -59,20 +59,38 @@ impl Cells {
     /// First and last cell along an axis that share a point with [low, high]; touching counts.
     /// Outside the box the nearest cell is meant.
     pub fn span(&self, axis: usize, low: f64, high: f64) -> (usize, usize) {
-        let (planes, n) = (&self.planes[axis], self.count[axis]);
-        let first = planes[1..].partition_point(|p| *p < low).min(n - 1);
-        let last = planes[..n].partition_point(|p| *p <= high).max(1) - 1;
+        let (planes, last_cell) = (&self.planes[axis], self.count[axis] - 1);
+        let scale = (last_cell + 1) as f64 / (planes[last_cell + 1] - planes[0]);
+        // Guessed by proportion (a flat box guesses 0), then put right by the planes themselves.
+        let guess = |x: f64| (((x - planes[0]) * scale) as usize).min(last_cell);
+        let (mut first, mut last) = (guess(low), guess(high));
+        while first > 0 && planes[first] >= low {
+            first -= 1;
+        }
+        while first < last_cell && planes[first + 1] < low {
+            first += 1;
+        }
+        while last < last_cell && planes[last + 1] <= high {
+            last += 1;
+        }
+        while last > 0 && planes[last] > high {
+            last -= 1;
+        }
         (first, last.max(first))
     }
 
-    /// Calls `visit` with every cell that shares a point with a box.
-    pub fn for_each_in(&self, min: DVec3, max: DVec3, mut visit: impl FnMut([usize; 3])) {
-        let [x, y, z] = std::array::from_fn(|a| self.span(a, min[a], max[a]));
-        for k in z.0..=z.1 {
-            for j in y.0..=y.1 {
-                for i in x.0..=x.1 {
-                    visit([i, j, k]);
-                }
+    /// The spans along all axes of the cells that share a point with a box.
+    pub fn spans(&self, min: DVec3, max: DVec3) -> [(usize, usize); 3] {
+        std::array::from_fn(|a| self.span(a, min[a], max[a]))
+    }
+}
+
+/// Calls `visit` with every cell of three spans, x varying fastest.
+pub fn for_each_cell([x, y, z]: [(usize, usize); 3], mut visit: impl FnMut([usize; 3])) {
+    for k in z.0..=z.1 {
+        for j in y.0..=y.1 {
+            for i in x.0..=x.1 {
+                visit([i, j, k]);
             }
         }
     }

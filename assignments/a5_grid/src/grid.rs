@@ -19,11 +19,9 @@ pub struct Grid<'g> {
     geometry: &'g Geometry,
     cells: Cells,
     triangle_bounds: Bounds,
-    /// Blocks of cell i: `blocks[block_start[i]..block_start[i + 1]]`.
-    block_start: Vec<u32>,
+    /// Where the blocks and the solids of cell i begin; those of cell i + 1 follow.
+    start: Vec<[u32; 2]>,
     blocks: Vec<TriangleBlock>,
-    /// Solids of cell i, likewise.
-    solid_start: Vec<u32>,
     solids: Vec<u32>,
 }
 
@@ -63,8 +61,9 @@ impl<'g> Grid<'g> {
         let (triangle_start, triangles) = sort_by_cell(cells.len(), &triangles);
         let (solid_start, solids) = sort_by_cell(cells.len(), &solids);
         let (block_start, blocks) = pack(geometry, &triangle_start, &triangles);
+        let start = block_start.into_iter().zip(solid_start).map(|(b, s)| [b, s]).collect();
         let triangle_bounds = Bounds::of_points(geometry.triangles().iter().flatten().copied());
-        Ok(Self { geometry, cells, triangle_bounds, block_start, blocks, solid_start, solids })
+        Ok(Self { geometry, cells, triangle_bounds, start, blocks, solids })
     }
 
     /// How the box is cut.
@@ -74,10 +73,7 @@ impl<'g> Grid<'g> {
 
     /// Bytes that it takes.
     pub fn bytes(&self) -> usize {
-        size_of_val(&*self.blocks)
-            + size_of_val(&*self.block_start)
-            + size_of_val(&*self.solid_start)
-            + size_of_val(&*self.solids)
+        size_of_val(&*self.blocks) + size_of_val(&*self.start) + size_of_val(&*self.solids)
     }
 
     /// References to primitives in all cells together.
@@ -85,12 +81,10 @@ impl<'g> Grid<'g> {
         self.blocks.iter().map(|b| b.len as usize).sum::<usize>() + self.solids.len()
     }
 
-    fn blocks_of(&self, cell: usize) -> &[TriangleBlock] {
-        &self.blocks[self.block_start[cell] as usize..self.block_start[cell + 1] as usize]
-    }
-
-    fn solids_of(&self, cell: usize) -> &[u32] {
-        &self.solids[self.solid_start[cell] as usize..self.solid_start[cell + 1] as usize]
+    #[inline]
+    fn held(&self, cell: usize) -> (&[TriangleBlock], &[u32]) {
+        let ([b0, s0], [b1, s1]) = (self.start[cell], self.start[cell + 1]);
+        (&self.blocks[b0 as usize..b1 as usize], &self.solids[s0 as usize..s1 as usize])
     }
 
     #[inline(always)]
@@ -105,11 +99,10 @@ impl<'g> Grid<'g> {
         let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
         for step in march {
             c.cells += 1;
-            let cell = self.cells.index(step.cell);
-            let blocks = self.blocks_of(cell);
+            let (blocks, solids) = self.held(self.cells.index(step.cell));
             c.intersections += blocks.iter().map(|b| u64::from(b.len)).sum::<u64>();
             best = job.nearest(simd, blocks, best, c);
-            for &i in self.solids_of(cell) {
+            for &i in solids {
                 c.intersections += 1;
                 let hit = self.geometry.hit_solid(i as usize, &query.exact, query.interval);
                 best = hit.filter(|h| h.precedes(best.as_ref())).or(best);
@@ -127,11 +120,11 @@ impl<'g> Grid<'g> {
         let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
         for step in march {
             c.cells += 1;
-            let cell = self.cells.index(step.cell);
-            if job.any(simd, self.blocks_of(cell), c) {
+            let (blocks, solids) = self.held(self.cells.index(step.cell));
+            if job.any(simd, blocks, c) {
                 return true;
             }
-            for &i in self.solids_of(cell) {
+            for &i in solids {
                 c.intersections += 1;
                 if self.geometry.hit_solid(i as usize, &query.exact, query.interval).is_some() {
                     return true;
@@ -231,7 +224,7 @@ impl Accel for Grid<'_> {
         for (i, vertices) in self.geometry.triangles().iter().enumerate() {
             let number = self.geometry.triangle_numbers()[i];
             triangle_cells(&self.cells, vertices, Fit::Exact, |cell| {
-                let mut held = self.blocks_of(self.cells.index(cell)).iter();
+                let mut held = self.held(self.cells.index(cell)).0.iter();
                 if !held.any(|b| b.index[..b.len as usize].contains(&number)) {
                     missing = Err(format!("triangle {i} is missing in cell {cell:?}"));
                 }
@@ -239,7 +232,7 @@ impl Accel for Grid<'_> {
         }
         for (i, solid) in self.geometry.solids().iter().enumerate() {
             solid_cells(&self.cells, solid, Fit::Exact, |cell| {
-                if !self.solids_of(self.cells.index(cell)).contains(&(i as u32)) {
+                if !self.held(self.cells.index(cell)).1.contains(&(i as u32)) {
                     missing = Err(format!("solid {i} is missing in cell {cell:?}"));
                 }
             });

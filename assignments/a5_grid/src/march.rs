@@ -30,8 +30,9 @@ pub struct March<'c> {
     cells: &'c Cells,
     origin: [f64; 3],
     direction: [f64; 3],
-    /// The crossing at which each axis leaves the current cell; t is +∞ along the planes.
-    next: [Crossing; 3],
+    inverse: [f64; 3],
+    /// t at which each axis leaves the current cell; +∞ if the ray runs along the planes.
+    next: [f64; 3],
     cell: [usize; 3],
     enter: f64,
     axis: Option<usize>,
@@ -45,60 +46,70 @@ impl<'c> March<'c> {
         if !ray.is_usable() {
             return None;
         }
-        let origin = ray.origin.as_dvec3().to_array();
         let direction = ray.direction.as_dvec3().to_array();
-        let never = Crossing { plane: 0.0, origin: 0.0, direction: 0.0, t: f64::INFINITY };
-        let (cell, enter) = ([0; 3], f64::NEG_INFINITY);
-        let mut march =
-            Self { cells, origin, direction, next: [never; 3], cell, enter, axis: None, done: false };
+        let mut march = Self {
+            cells,
+            origin: ray.origin.as_dvec3().to_array(),
+            direction,
+            inverse: direction.map(|d| 1.0 / d),
+            next: [f64::INFINITY; 3],
+            cell: [0; 3],
+            enter: 0.0,
+            axis: None,
+            done: false,
+        };
         let forward = interval.min >= 0.0;
-        let inside = (0..3).all(|a| march.low(a) <= origin[a] && origin[a] <= march.high(a));
-        if forward && inside {
-            march.start_at_origin();
+        if forward && (0..3).all(|a| march.low(a) <= march.origin[a] && march.origin[a] <= march.high(a)) {
+            (0..3).for_each(|a| march.cell[a] = march.cell_of_origin(a));
         } else if !march.start_at_entry(forward) {
             return None;
         }
-        for a in 0..3 {
-            march.next[a] = march.leaving(a);
-        }
+        (0..3).for_each(|a| march.next[a] = march.leaving(a));
         Some(march)
     }
 
+    #[inline]
     fn low(&self, axis: usize) -> f64 {
         self.cells.planes[axis][0]
     }
 
+    #[inline]
     fn high(&self, axis: usize) -> f64 {
         self.cells.planes[axis][self.cells.count[axis]]
     }
 
+    /// Where the ray meets a plane; a difference, an inverse and a product, so three roundings.
     #[inline]
     fn crossing(&self, axis: usize, plane: f64) -> Crossing {
         let (origin, direction) = (self.origin[axis], self.direction[axis]);
-        Crossing { plane, origin, direction, t: (plane - origin) / direction }
+        Crossing { plane, origin, direction, t: (plane - origin) * self.inverse[axis] }
     }
 
-    /// Where the ray leaves the current cell along one axis.
+    /// The plane through which the ray leaves the current cell along one axis.
     #[inline]
-    fn leaving(&self, axis: usize) -> Crossing {
-        let direction = self.direction[axis];
-        if direction == 0.0 {
-            return Crossing { plane: 0.0, origin: 0.0, direction, t: f64::INFINITY };
-        }
-        self.crossing(axis, self.cells.planes[axis][self.cell[axis] + usize::from(direction > 0.0)])
+    fn plane_ahead(&self, axis: usize) -> f64 {
+        self.cells.planes[axis][self.cell[axis] + usize::from(self.direction[axis] > 0.0)]
     }
 
-    /// The cell that the origin is in; on a plane between two, the one the ray goes into.
-    fn start_at_origin(&mut self) {
-        for a in 0..3 {
-            let (planes, n) = (&self.cells.planes[a], self.cells.count[a]);
-            let behind = match self.direction[a] < 0.0 {
-                true => planes[..n].partition_point(|p| *p < self.origin[a]),
-                false => planes[..n].partition_point(|p| *p <= self.origin[a]),
-            };
-            self.cell[a] = behind.max(1) - 1;
+    /// When it does so.
+    #[inline]
+    fn leaving(&self, axis: usize) -> f64 {
+        if self.direction[axis] == 0.0 {
+            return f64::INFINITY;
         }
-        self.enter = 0.0;
+        (self.plane_ahead(axis) - self.origin[axis]) * self.inverse[axis]
+    }
+
+    /// The cell along one axis that the origin is in; on a plane between two, the one the ray
+    /// goes into.
+    fn cell_of_origin(&self, axis: usize) -> usize {
+        let (planes, n) = (&self.cells.planes[axis], self.cells.count[axis]);
+        let origin = self.origin[axis];
+        let behind = match self.direction[axis] < 0.0 {
+            true => planes[..n].partition_point(|p| *p < origin),
+            false => planes[..n].partition_point(|p| *p <= origin),
+        };
+        behind.max(1) - 1
     }
 
     /// The cell behind the point where the ray enters the box. False if it passes the box by,
@@ -110,7 +121,7 @@ impl<'c> March<'c> {
                 if self.origin[a] < self.low(a) || self.origin[a] > self.high(a) {
                     return false;
                 }
-                self.cell[a] = self.cells.span(a, self.origin[a], self.origin[a]).1;
+                self.cell[a] = self.cell_of_origin(a);
                 continue;
             }
             let far = if self.direction[a] > 0.0 { self.high(a) } else { self.low(a) };
@@ -118,6 +129,8 @@ impl<'c> March<'c> {
             if exit.order(&entry) == Ordering::Less || (forward && exit.t < 0.0) {
                 return false;
             }
+        }
+        for a in (0..3).filter(|&a| self.direction[a] != 0.0) {
             self.cell[a] = self.cell_after(a, &entry);
         }
         (self.enter, self.axis) = (entry.t, Some(axis));
@@ -134,31 +147,46 @@ impl<'c> March<'c> {
     }
 
     /// The cell along `axis` that the ray is in just after `entry`: as many planes lie behind
-    /// as are crossed no later than it.
+    /// as are crossed no later than it. Guessed from the position, then put right exactly.
     fn cell_after(&self, axis: usize, entry: &Crossing) -> usize {
-        let (planes, n) = (&self.cells.planes[axis], self.cells.count[axis]);
-        let crossed = |p: &f64| self.crossing(axis, *p).order(entry) != Ordering::Greater;
+        let (planes, last) = (&self.cells.planes[axis], self.cells.count[axis] - 1);
+        let crossed = |p: usize| self.crossing(axis, planes[p]).order(entry) != Ordering::Greater;
+        let position = self.origin[axis] + self.direction[axis] * entry.t;
+        let share = (position - planes[0]) / (planes[last + 1] - planes[0]);
+        let mut cell = ((share * (last + 1) as f64) as usize).min(last);
         if self.direction[axis] > 0.0 {
-            planes[1..n].partition_point(crossed)
+            while cell < last && crossed(cell + 1) {
+                cell += 1;
+            }
+            while cell > 0 && !crossed(cell) {
+                cell -= 1;
+            }
         } else {
-            planes[1..n].partition_point(|p| !crossed(p))
+            while cell > 0 && crossed(cell) {
+                cell -= 1;
+            }
+            while cell < last && !crossed(cell + 1) {
+                cell += 1;
+            }
         }
+        cell
     }
 
     /// Which axes cross first, as bits: more than one only if they cross exactly together.
     #[inline]
     fn first(&self) -> (f64, u32) {
-        let [x, y, z] = &self.next;
-        let least = x.t.min(y.t).min(z.t);
+        let [x, y, z] = self.next;
+        let least = x.min(y).min(z);
         let near = least + least.abs() * 2f64.powi(-49);
-        let close = u32::from(x.t <= near) | u32::from(y.t <= near) << 1 | u32::from(z.t <= near) << 2;
+        let close = u32::from(x <= near) | u32::from(y <= near) << 1 | u32::from(z <= near) << 2;
         if close.is_power_of_two() { (least, close) } else { (least, self.exactly_first(close)) }
     }
 
     #[cold]
     fn exactly_first(&self, close: u32) -> u32 {
         let candidates = || (0..3).filter(|a| close >> a & 1 == 1);
-        let first = |a: usize| candidates().all(|b| self.next[a].order(&self.next[b]) != Ordering::Greater);
+        let ahead = |a: usize| self.crossing(a, self.plane_ahead(a));
+        let first = |a: usize| candidates().all(|b| ahead(a).order(&ahead(b)) != Ordering::Greater);
         candidates().filter(|&a| first(a)).fold(0, |bits, a| bits | 1 << a)
     }
 }

@@ -1,7 +1,7 @@
 //! A5T1: which cells does a primitive belong to?
 
-use crate::Cells;
-use crate::overlap::{sphere_meets_box, triangle_meets_box};
+use crate::cells::{Cells, for_each_cell};
+use crate::overlap::{TriangleOverlap, sphere_meets_box};
 use common::geometry::{Geometry, Solid, SolidShape};
 use common::math::{Bounds, DVec3, Vec3};
 
@@ -24,14 +24,17 @@ fn slack(reach: f64) -> f64 {
 pub fn triangle_cells(cells: &Cells, vertices: &[Vec3; 3], fit: Fit, mut visit: impl FnMut([usize; 3])) {
     let bounds = Bounds::of_points(*vertices);
     let (min, max) = (bounds.min.as_dvec3(), bounds.max.as_dvec3());
-    if fit == Fit::Bounds {
-        return cells.for_each_in(min, max, visit);
+    let spans = cells.spans(min, max);
+    // A triangle is in one piece: if its box is cut along one axis only, it reaches every part.
+    let cuts = spans.iter().filter(|(first, last)| first < last).count();
+    if fit == Fit::Bounds || cuts < 2 {
+        return for_each_cell(spans, visit);
     }
-    let corners = vertices.map(|v| v.as_dvec3());
-    let slack = slack(min.abs().max(max.abs()).max_element());
-    cells.for_each_in(min, max, |cell| {
+    let reach = min.abs().max(max.abs()).max_element();
+    let overlap = TriangleOverlap::new(vertices.map(|v| v.as_dvec3()), slack(reach));
+    for_each_cell(spans, |cell| {
         let (low, high) = cells.corners(cell);
-        if triangle_meets_box(&corners, low, high, slack) {
+        if overlap.meets_box(low, high) {
             visit(cell);
         }
     });
@@ -44,7 +47,7 @@ pub fn solid_cells(cells: &Cells, solid: &Solid, fit: Fit, mut visit: impl FnMut
         (SolidShape::Sphere(s), Fit::Bounds) if !solid.transformed => {
             let reach = s.radius + cells.half_diagonal();
             let around = DVec3::splat(reach + cells.half_diagonal());
-            cells.for_each_in(s.center - around, s.center + around, |cell| {
+            for_each_cell(cells.spans(s.center - around, s.center + around), |cell| {
                 let (low, high) = cells.corners(cell);
                 if ((low + high) / 2.0 - s.center).length() <= reach {
                     visit(cell);
@@ -54,7 +57,7 @@ pub fn solid_cells(cells: &Cells, solid: &Solid, fit: Fit, mut visit: impl FnMut
         (SolidShape::Sphere(s), Fit::Exact) => {
             let slack = slack(s.center.abs().max_element() + s.radius);
             let around = DVec3::splat(s.radius + slack);
-            cells.for_each_in(s.center - around, s.center + around, |cell| {
+            for_each_cell(cells.spans(s.center - around, s.center + around), |cell| {
                 let (low, high) = cells.corners(cell);
                 if sphere_meets_box(s.center, s.radius, low, high, slack) {
                     visit(cell);
@@ -64,9 +67,9 @@ pub fn solid_cells(cells: &Cells, solid: &Solid, fit: Fit, mut visit: impl FnMut
         (SolidShape::Ellipsoid(e), Fit::Exact) => {
             let around = e.half_extent() + DVec3::splat(slack(e.center().abs().max_element()));
             let (low, high) = (e.center() - around, e.center() + around);
-            cells.for_each_in(low.max(min), high.min(max), visit);
+            for_each_cell(cells.spans(low.max(min), high.min(max)), visit);
         }
-        _ => cells.for_each_in(min, max, visit),
+        _ => for_each_cell(cells.spans(min, max), visit),
     }
 }
 
