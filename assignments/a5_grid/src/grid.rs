@@ -23,6 +23,9 @@ pub struct Grid<'g> {
     start: Vec<[u32; 2]>,
     blocks: Vec<TriangleBlock>,
     solids: Vec<u32>,
+    /// One bit per cell: set if it holds anything. Most cells on a ray's way are empty, and the
+    /// bits stay in the nearest cache where `start` does not.
+    occupied: Vec<u64>,
 }
 
 /// Pairs (cell, primitive) sorted by cell: where each cell begins, and the primitives.
@@ -61,9 +64,10 @@ impl<'g> Grid<'g> {
         let (triangle_start, triangles) = sort_by_cell(cells.len(), &triangles);
         let (solid_start, solids) = sort_by_cell(cells.len(), &solids);
         let (block_start, blocks) = pack(geometry, &triangle_start, &triangles);
-        let start = block_start.into_iter().zip(solid_start).map(|(b, s)| [b, s]).collect();
+        let start = block_start.into_iter().zip(solid_start).map(|(b, s)| [b, s]).collect::<Vec<_>>();
+        let occupied = occupancy(&start);
         let triangle_bounds = Bounds::of_points(geometry.triangles().iter().flatten().copied());
-        Ok(Self { geometry, cells, triangle_bounds, start, blocks, solids })
+        Ok(Self { geometry, cells, triangle_bounds, start, blocks, solids, occupied })
     }
 
     /// How the box is cut.
@@ -79,6 +83,11 @@ impl<'g> Grid<'g> {
     /// References to primitives in all cells together.
     pub fn references(&self) -> usize {
         self.blocks.iter().map(|b| b.len as usize).sum::<usize>() + self.solids.len()
+    }
+
+    #[inline]
+    fn is_empty_cell(&self, cell: usize) -> bool {
+        self.occupied[cell / 64] >> (cell % 64) & 1 == 0
     }
 
     #[inline]
@@ -99,7 +108,14 @@ impl<'g> Grid<'g> {
         let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
         for step in march {
             c.cells += 1;
-            let (blocks, solids) = self.held(self.cells.index(step.cell));
+            let cell = self.cells.index(step.cell);
+            if self.is_empty_cell(cell) {
+                if query.is_over(&step, best.as_ref()) {
+                    break;
+                }
+                continue;
+            }
+            let (blocks, solids) = self.held(cell);
             c.intersections += blocks.iter().map(|b| u64::from(b.len)).sum::<u64>();
             best = job.nearest(simd, blocks, best, c);
             for &i in solids {
@@ -120,7 +136,14 @@ impl<'g> Grid<'g> {
         let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
         for step in march {
             c.cells += 1;
-            let (blocks, solids) = self.held(self.cells.index(step.cell));
+            let cell = self.cells.index(step.cell);
+            if self.is_empty_cell(cell) {
+                if query.is_over(&step, None) {
+                    break;
+                }
+                continue;
+            }
+            let (blocks, solids) = self.held(cell);
             if job.any(simd, blocks, c) {
                 return true;
             }
@@ -136,6 +159,14 @@ impl<'g> Grid<'g> {
         }
         false
     }
+}
+
+fn occupancy(start: &[[u32; 2]]) -> Vec<u64> {
+    let mut bits = vec![0; start.len().div_ceil(64)];
+    for (cell, ends) in start.windows(2).enumerate() {
+        bits[cell / 64] |= u64::from(ends[0] != ends[1]) << (cell % 64);
+    }
+    bits
 }
 
 fn limit(references: usize) -> Result<(), String> {

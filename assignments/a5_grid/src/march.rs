@@ -194,7 +194,7 @@ impl<'c> March<'c> {
 impl Iterator for March<'_> {
     type Item = Step;
 
-    #[inline]
+    #[inline(always)]
     fn next(&mut self) -> Option<Step> {
         if self.done {
             return None;
