@@ -73,9 +73,7 @@ struct Target<'a> {
 impl Target<'_> {
     /// Draws the pixels of a triangle that lie in `part` of the tile.
     fn draw(&mut self, triangle: &Triangle, part: Tile) {
-        let Some(part) = intersection(part, triangle.area).filter(|part| triangle.may_touch(*part)) else {
-            return;
-        };
+        let Some(part) = intersection(part, triangle.area) else { return };
         for y in part.y0..part.y1 {
             let row = triangle.row(y);
             let start = (y - self.tile.y0) as usize * self.tile.width() as usize;

@@ -54,11 +54,12 @@ impl Triangle {
     }
 
     /// The colour at a weighted point. Weights refer to space, not to the screen, so nothing
-    /// has to be divided by the depth.
+    /// has to be divided by the depth. Written so that three equal colours stay exactly what
+    /// they are: 0.9999999 would be one level darker in the file.
     #[inline]
-    pub fn color(&self, weights: [f64; 3]) -> Vec3 {
-        let [a, b, c] = weights.map(|w| w as f32);
-        self.colors[0] * a + self.colors[1] * b + self.colors[2] * c
+    pub fn color(&self, [_, b, c]: [f64; 3]) -> Vec3 {
+        let [first, second, third] = self.colors;
+        first + (second - first) * b as f32 + (third - first) * c as f32
     }
 
     /// Whether a pixel centre of the rectangle may be covered: an edge that has the same strict

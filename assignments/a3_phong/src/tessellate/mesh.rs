@@ -5,9 +5,9 @@ use common::geometry::Geometry;
 use common::math::{DVec3, Vec3};
 use std::collections::HashMap;
 
-/// Cosine of 45°: an edge at which the surface turns by more is meant to be sharp. A cube keeps
+/// Cosine of 60°: an edge at which the surface turns by more is meant to be sharp. A cube keeps
 /// its edges, a coarse rabbit loses them.
-const SHARP: f64 = std::f64::consts::FRAC_1_SQRT_2;
+const SHARP: f64 = 0.5;
 
 /// More triangles around one corner than any sensible mesh has. Such corners stay flat shaded,
 /// because comparing all with all would take for ever.
