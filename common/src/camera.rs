@@ -17,6 +17,17 @@ pub fn screen_position(size: Size, x: f64, y: f64) -> (f64, f64) {
     ((x - w / 2.0) / scale + 0.5, (y - h / 2.0) / scale + 0.5)
 }
 
+/// A point as a camera sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection {
+    /// Homogeneous position (x·w, y·w, w) on the unit screen square. Linear in the point, so it
+    /// is as good for points beside and behind the eye, where w ≤ 0 and dividing makes no sense.
+    /// An orthographic camera has w = 1 everywhere.
+    pub screen: DVec3,
+    /// Distance from the camera's plane along its direction; negative behind it.
+    pub depth: f64,
+}
+
 /// A camera with its frame worked out, in `f64`; rays are rounded to `f32` once.
 #[derive(Clone, Copy, Debug)]
 pub struct Camera {
@@ -57,6 +68,26 @@ impl Camera {
             CameraKind::Perspective { .. } => {
                 Ray::new(self.center.as_vec3(), (self.direction + offset).normalize().as_vec3())
             }
+        }
+    }
+
+    /// Where a point of space appears on the screen; the inverse of [`Camera::ray`].
+    pub fn project(&self, point: DVec3) -> Projection {
+        let from_center = point - self.center;
+        let depth = from_center.dot(self.direction);
+        let w = match self.kind {
+            CameraKind::Orthographic { .. } => 1.0,
+            CameraKind::Perspective { .. } => depth,
+        };
+        let along = |axis: DVec3| from_center.dot(axis) / axis.length_squared() + 0.5 * w;
+        Projection { screen: DVec3::new(along(self.right), along(self.up), w), depth }
+    }
+
+    /// Unit direction of the ray that sees a point; zero for the eye itself.
+    pub fn sight(&self, point: DVec3) -> DVec3 {
+        match self.kind {
+            CameraKind::Orthographic { .. } => self.direction,
+            CameraKind::Perspective { .. } => (point - self.center).normalize_or_zero(),
         }
     }
 
@@ -129,6 +160,25 @@ mod tests {
         let edge = (c.ray((0.0, 0.5)).direction, c.ray((1.0, 0.5)).direction);
         assert!((edge.0.dot(edge.1) - 0.5).abs() < 1e-6);
         assert!((edge.0.length() - 1.0).abs() < 1e-6);
+    }
+
+    /// A point on a ray projects to where the ray went through the screen, also behind the eye.
+    #[test]
+    fn projecting_undoes_ray() {
+        for kind in [CameraKind::Orthographic { size: 4.0 }, CameraKind::Perspective { angle: 25.0 }] {
+            let c = camera(kind);
+            for (x, y, t) in [(0.1, 0.9, 3.0), (0.75, 0.5, 0.25), (0.3, 0.2, -2.0)] {
+                let ray = c.ray((x, y));
+                let p = c.project(ray.at(t));
+                let seen = p.screen / p.screen.z;
+                assert!((seen.x - x).abs() < 1e-5 && (seen.y - y).abs() < 1e-5, "{kind:?} {seen}");
+                assert_eq!(p.depth > 0.0, t > 0.0);
+                let sight = c.sight(ray.at(t)) * p.screen.z.signum();
+                assert!((sight - ray.direction.as_dvec3()).length() < 1e-5, "{kind:?} {sight}");
+            }
+        }
+        let flat = camera(CameraKind::Orthographic { size: 4.0 });
+        assert_eq!(flat.project(DVec3::new(1.0, 2.0, 7.0)), Projection { screen: DVec3::new(0.5, 0.5, 1.0), depth: 3.0 });
     }
 
     /// A rectangle that "cannot see" a box has no ray that enters it; and the test is not idle.
