@@ -76,7 +76,7 @@ impl GridArgs {
         if self.grid_fit.is_some() && self.grid.is_none() {
             cli::warn("-grid_fit has no effect without -grid");
         }
-        let lit = self.whitted.shadows || self.whitted.bounces > 0;
+        let lit = self.whitted.shadows || self.whitted.bounces.is_some();
         if self.shows_cells() && lit {
             cli::warn("-shadows and -bounces have no effect on the picture of cells");
         }
