@@ -1,0 +1,239 @@
+//! Rays through the wide tree.
+
+use super::wide::{Bvh, Child, Held, WIDTH, WideNode};
+use common::accel::{Accel, Job};
+use common::counters::Counters;
+use common::geometry::{Geometry, Hit};
+use common::math::Interval;
+use common::ray::Ray;
+use common::shape::ExactRay;
+use common::shape::triangle_block::Filter;
+use common::simd::{self, Simd, SimdBase, SimdMask, dispatch, f32x8};
+
+/// Widens t at a box's far side by more than the rounding of a difference, an inverse and a
+/// product of it, three units of 2⁻²⁴, on both sides of the comparison.
+const WIDEN: f32 = 1.0 + 8.0 / (1 << 23) as f32;
+
+/// A ray prepared for boxes.
+struct Slabs {
+    origin: [f32; 3],
+    inverse: [f32; 3],
+    /// 0 if the low side comes first, 1 if the high side does.
+    near: [usize; 3],
+}
+
+impl Slabs {
+    fn new(ray: &Ray) -> Self {
+        let inverse = ray.direction.to_array().map(|d| 1.0 / d);
+        Self { origin: ray.origin.to_array(), inverse, near: inverse.map(|i| usize::from(i < 0.0)) }
+    }
+
+    /// A bit for every child whose box the ray may meet inside the interval, and where it
+    /// enters them. Written without closures, see [`common::simd`].
+    #[inline(always)]
+    fn meet<S: Simd>(&self, simd: S, node: &WideNode, interval: Interval, enter: &mut [f32; WIDTH]) -> u32 {
+        let [nx, ny, nz] = self.near;
+        let ox = f32x8::splat(simd, self.origin[0]);
+        let oy = f32x8::splat(simd, self.origin[1]);
+        let oz = f32x8::splat(simd, self.origin[2]);
+        let ix = f32x8::splat(simd, self.inverse[0]);
+        let iy = f32x8::splat(simd, self.inverse[1]);
+        let iz = f32x8::splat(simd, self.inverse[2]);
+        let near_x = (f32x8::from_slice(simd, &node.side[0][nx]) - ox) * ix;
+        let near_y = (f32x8::from_slice(simd, &node.side[1][ny]) - oy) * iy;
+        let near_z = (f32x8::from_slice(simd, &node.side[2][nz]) - oz) * iz;
+        let far_x = (f32x8::from_slice(simd, &node.side[0][1 - nx]) - ox) * ix;
+        let far_y = (f32x8::from_slice(simd, &node.side[1][1 - ny]) - oy) * iy;
+        let far_z = (f32x8::from_slice(simd, &node.side[2][1 - nz]) - oz) * iz;
+        let near = near_x.max(near_y).max(near_z).max(f32x8::splat(simd, interval.min));
+        let far = far_x.min(far_y).min(far_z);
+        // Widened away from zero on the side that matters; t of either sign.
+        let far = far.max(far * f32x8::splat(simd, WIDEN)).min(f32x8::splat(simd, interval.max));
+        near.store_slice(enter);
+        near.simd_le(far).to_bitmask() as u32
+    }
+}
+
+impl Bvh<'_> {
+    #[inline(always)]
+    fn nearest_in<S: Simd>(&self, simd: S, query: &Query, mut best: Option<Hit>, c: &mut Counters) -> Option<Hit> {
+        let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
+        let mut stack = Stack::new(query.interval.min);
+        let mut enter = [0.0; WIDTH];
+        while let Some(child) = stack.pop(best.map_or(query.interval.max, |b| b.t)) {
+            match child.held() {
+                Held::Node(index) => {
+                    c.cells += 1;
+                    let node = &self.nodes[index];
+                    let max = best.map_or(query.interval.max, |b| b.t);
+                    let interval = Interval { max, ..query.interval };
+                    let lanes = query.slabs.meet(simd, node, interval, &mut enter);
+                    stack.push_sorted(node, lanes, &enter);
+                }
+                Held::Blocks(first, count) => {
+                    let blocks = &self.blocks[first..first + count];
+                    c.intersections += blocks.iter().map(|b| u64::from(b.len)).sum::<u64>();
+                    best = job.nearest(simd, blocks, best, c);
+                }
+                Held::Solids(first, count) => {
+                    for &i in &self.solids[first..first + count] {
+                        c.intersections += 1;
+                        let hit = self.geometry.hit_solid(i as usize, &query.exact, query.interval);
+                        best = hit.filter(|h| h.precedes(best.as_ref())).or(best);
+                    }
+                }
+            }
+        }
+        best
+    }
+
+    #[inline(always)]
+    fn any_in<S: Simd>(&self, simd: S, query: &Query, c: &mut Counters) -> bool {
+        let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
+        let mut stack = Stack::new(query.interval.min);
+        let mut enter = [0.0; WIDTH];
+        while let Some(child) = stack.pop(query.interval.max) {
+            match child.held() {
+                Held::Node(index) => {
+                    c.cells += 1;
+                    let node = &self.nodes[index];
+                    let lanes = query.slabs.meet(simd, node, query.interval, &mut enter);
+                    stack.push_all(node, lanes, &enter);
+                }
+                Held::Blocks(first, count) => {
+                    if job.any(simd, &self.blocks[first..first + count], c) {
+                        return true;
+                    }
+                }
+                Held::Solids(first, count) => {
+                    for &i in &self.solids[first..first + count] {
+                        c.intersections += 1;
+                        if self.geometry.hit_solid(i as usize, &query.exact, query.interval).is_some() {
+                            return true;
+                        }
+                    }
+                }
+            }
+        }
+        false
+    }
+}
+
+/// Most entries: depth times the seven children that wait beside the one followed.
+const STACK: usize = 512;
+
+/// Children still to be visited, the nearest on top. The tree's depth is bounded when it is
+/// built, so the stack cannot overflow; every push is checked all the same.
+struct Stack {
+    entries: [(f32, Child); STACK],
+    len: usize,
+}
+
+impl Stack {
+    #[inline(always)]
+    fn new(enter: f32) -> Self {
+        let mut entries = [(0.0, Child::ROOT); STACK];
+        entries[0] = (enter, Child::ROOT);
+        Self { entries, len: 1 }
+    }
+
+    /// The next child that is entered no later than `max`.
+    #[inline(always)]
+    fn pop(&mut self, max: f32) -> Option<Child> {
+        while self.len > 0 {
+            self.len -= 1;
+            let (enter, child) = self.entries[self.len];
+            if enter <= max {
+                return Some(child);
+            }
+        }
+        None
+    }
+
+    #[inline(always)]
+    fn push_all(&mut self, node: &WideNode, mut lanes: u32, enter: &[f32; WIDTH]) {
+        while lanes != 0 {
+            let lane = lanes.trailing_zeros() as usize;
+            lanes &= lanes - 1;
+            self.entries[self.len] = (enter[lane], node.child[lane]);
+            self.len += 1;
+        }
+    }
+
+    /// Pushes the children so that the one entered first comes out first.
+    #[inline(always)]
+    fn push_sorted(&mut self, node: &WideNode, mut lanes: u32, enter: &[f32; WIDTH]) {
+        let base = self.len;
+        while lanes != 0 {
+            let lane = lanes.trailing_zeros() as usize;
+            lanes &= lanes - 1;
+            let mut i = self.len;
+            while i > base && self.entries[i - 1].0 < enter[lane] {
+                self.entries[i] = self.entries[i - 1];
+                i -= 1;
+            }
+            self.entries[i] = (enter[lane], node.child[lane]);
+            self.len += 1;
+        }
+    }
+}
+
+/// One ray on its way through the tree.
+struct Query {
+    interval: Interval,
+    exact: ExactRay,
+    filter: Filter,
+    slabs: Slabs,
+}
+
+impl Accel for Bvh<'_> {
+    fn nearest(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> Option<Hit> {
+        if !ray.is_usable() {
+            return None;
+        }
+        let query = self.query(ray, interval);
+        let mut best: Option<Hit> = None;
+        for i in 0..self.geometry.sheets().len() {
+            counters.intersections += 1;
+            let hit = self.geometry.hit_sheet(i, &query.exact, interval);
+            best = hit.filter(|h| h.precedes(best.as_ref())).or(best);
+        }
+        if self.nodes.is_empty() {
+            return best;
+        }
+        dispatch!(simd::level(), s => self.nearest_in(s, &query, best, counters))
+    }
+
+    fn any(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> bool {
+        if !ray.is_usable() {
+            return false;
+        }
+        let query = self.query(ray, interval);
+        for i in 0..self.geometry.sheets().len() {
+            counters.intersections += 1;
+            if self.geometry.hit_sheet(i, &query.exact, interval).is_some() {
+                return true;
+            }
+        }
+        !self.nodes.is_empty() && dispatch!(simd::level(), s => self.any_in(s, &query, counters))
+    }
+
+    fn geometry(&self) -> &Geometry {
+        self.geometry
+    }
+
+    fn validate(&self) -> Result<(), String> {
+        Ok(())
+    }
+}
+
+impl Bvh<'_> {
+    fn query(&self, ray: &Ray, interval: Interval) -> Query {
+        Query {
+            interval,
+            exact: ExactRay::new(ray),
+            filter: Filter::new(ray, &self.triangle_bounds),
+            slabs: Slabs::new(ray),
+        }
+    }
+}

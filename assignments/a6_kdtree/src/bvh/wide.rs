@@ -1,0 +1,187 @@
+//! The wide tree: nodes of up to eight children, leaves of triangle blocks or solids.
+
+use super::{Binary, BinaryNode};
+use super::split::half_area;
+use common::geometry::Geometry;
+use common::math::{Bounds, Vec3};
+use common::shape::triangle_block::{LANES, TriangleBlock};
+
+/// Children of a node.
+pub const WIDTH: usize = 8;
+
+/// Eight boxes side by side, and what they hold.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+pub struct WideNode {
+    /// Sides of the boxes, rounded outward: `side[axis][0 low, 1 high][child]`. Unused places
+    /// hold the empty box, which no ray meets.
+    pub side: [[[f32; WIDTH]; 2]; 3],
+    /// What each box holds.
+    pub child: [Child; WIDTH],
+}
+
+/// What a box holds: a node, a run of blocks, or a run of solids, packed into 32 bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Child(u32);
+
+/// The same, unpacked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// Index of a node.
+    Node(usize),
+    /// First block and their number, at least 1.
+    Blocks(usize, usize),
+    /// First solid and their number, at least 1.
+    Solids(usize, usize),
+}
+
+/// Bits of a leaf's number of blocks or solids, less one.
+const COUNT_BITS: u32 = 4;
+/// Most blocks or solids that one leaf can name.
+const MOST: usize = 1 << COUNT_BITS;
+const BLOCKS: u32 = 1 << 30;
+const SOLIDS: u32 = 2 << 30;
+const INDEX: u32 = (1 << 30) - 1;
+
+impl Child {
+    /// The first node.
+    pub const ROOT: Self = Self(0);
+    const NOTHING: Self = Self(0);
+
+    fn node(index: usize) -> Self {
+        Self(index as u32 & INDEX)
+    }
+
+    fn run(tag: u32, first: usize, count: usize) -> Self {
+        Self(tag | (first as u32) << COUNT_BITS & INDEX | (count as u32 - 1))
+    }
+
+    /// What it holds.
+    #[inline]
+    pub fn held(self) -> Held {
+        let index = self.0 & INDEX;
+        let (first, count) = ((index >> COUNT_BITS) as usize, (index as usize & (MOST - 1)) + 1);
+        match self.0 & !INDEX {
+            BLOCKS => Held::Blocks(first, count),
+            SOLIDS => Held::Solids(first, count),
+            _ => Held::Node(index as usize),
+        }
+    }
+}
+
+/// The hierarchy over a scene's finite primitives; planes are tested beside it.
+pub struct Bvh<'g> {
+    pub(super) geometry: &'g Geometry,
+    pub(super) nodes: Vec<WideNode>,
+    pub(super) blocks: Vec<TriangleBlock>,
+    pub(super) solids: Vec<u32>,
+    pub(super) triangle_bounds: Bounds,
+    pub(super) depth: usize,
+}
+
+impl<'g> Bvh<'g> {
+    /// Builds the hierarchy; the same whatever the number of threads.
+    pub fn new(geometry: &'g Geometry) -> Self {
+        let triangle_boxes: Vec<Bounds> = geometry.triangles().iter().map(|t| Bounds::of_points(*t)).collect();
+        let solid_boxes: Vec<Bounds> = geometry.solids().iter().map(|s| s.bounds).collect();
+        let triangle_bounds = triangle_boxes.iter().fold(Bounds::EMPTY, |b, t| b.union(t));
+        let mut bvh =
+            Self { geometry, nodes: Vec::new(), blocks: Vec::new(), solids: Vec::new(), triangle_bounds, depth: 0 };
+        let trees: Vec<(Binary, u32)> = [(triangle_boxes, BLOCKS), (solid_boxes, SOLIDS)]
+            .into_iter()
+            .filter(|(boxes, _)| !boxes.is_empty())
+            .map(|(boxes, tag)| (Binary::build(boxes, if tag == BLOCKS { LANES } else { 2 }), tag))
+            .collect();
+        bvh.collapse_all(&trees);
+        bvh
+    }
+
+    /// Bytes that it takes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.blocks) + size_of_val(&*self.solids)
+    }
+
+    /// Nodes, blocks and greatest depth.
+    pub fn counts(&self) -> (usize, usize, usize) {
+        (self.nodes.len(), self.blocks.len(), self.depth)
+    }
+
+    /// The root holds the opened roots of both trees; below it each node is of one tree.
+    fn collapse_all(&mut self, trees: &[(Binary, u32)]) {
+        let mut waiting: Vec<(usize, Vec<(usize, u32)>, usize)> = Vec::new();
+        let roots: Vec<(usize, u32)> = (0..trees.len()).map(|t| (t, 0)).collect();
+        if roots.is_empty() {
+            return;
+        }
+        self.nodes.push(EMPTY_NODE);
+        waiting.push((0, roots, 1));
+        while let Some((place, seeds, depth)) = waiting.pop() {
+            self.depth = self.depth.max(depth);
+            let children = open(trees, seeds);
+            let mut node = EMPTY_NODE;
+            for (lane, &(tree, number)) in children.iter().enumerate() {
+                let (binary, tag) = &trees[tree];
+                let inner = &binary.nodes[number as usize];
+                node.set_box(lane, &inner.bounds);
+                node.child[lane] = if inner.count > 0 {
+                    self.leaf(binary, *tag, inner)
+                } else {
+                    self.nodes.push(EMPTY_NODE);
+                    let below = self.nodes.len() - 1;
+                    waiting.push((below, vec![(tree, inner.first), (tree, inner.second)], depth + 1));
+                    Child::node(below)
+                };
+            }
+            self.nodes[place] = node;
+        }
+    }
+
+    fn leaf(&mut self, binary: &Binary, tag: u32, node: &BinaryNode) -> Child {
+        let items = &binary.items[node.first as usize..(node.first + node.count) as usize];
+        if tag == SOLIDS {
+            let first = self.solids.len();
+            self.solids.extend(items.iter().map(|i| i.index));
+            return Child::run(SOLIDS, first, items.len());
+        }
+        let numbered = |i: u32| -> (u32, [Vec3; 3]) {
+            (self.geometry.triangle_numbers()[i as usize], self.geometry.triangles()[i as usize])
+        };
+        let first = self.blocks.len();
+        let mut indices: Vec<u32> = items.iter().map(|i| i.index).collect();
+        indices.sort_unstable();
+        self.blocks.extend(
+            indices.chunks(LANES).map(|chunk| TriangleBlock::pack(chunk.iter().map(|&i| numbered(i)))),
+        );
+        Child::run(BLOCKS, first, self.blocks.len() - first)
+    }
+}
+
+/// Opens the largest inner node among the seeds until there are eight, or only leaves.
+fn open(trees: &[(Binary, u32)], mut seeds: Vec<(usize, u32)>) -> Vec<(usize, u32)> {
+    let node = |(tree, number): (usize, u32)| -> &BinaryNode { &trees[tree].0.nodes[number as usize] };
+    while seeds.len() < WIDTH {
+        let inner = (0..seeds.len()).filter(|&i| node(seeds[i]).count == 0);
+        let area = |i: usize| half_area(&node(seeds[i]).bounds);
+        let Some(largest) = inner.reduce(|a, b| if area(b) > area(a) { b } else { a }) else { break };
+        let (tree, opened) = (seeds[largest].0, node(seeds[largest]));
+        seeds[largest] = (tree, opened.first);
+        seeds.push((tree, opened.second));
+    }
+    seeds
+}
+
+const EMPTY_NODE: WideNode = WideNode {
+    side: [[[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]]; 3],
+    child: [Child::NOTHING; WIDTH],
+};
+
+impl WideNode {
+    /// Puts a box into a lane, widened by the smallest step, so that a ray that runs in one of
+    /// its sides is inside.
+    fn set_box(&mut self, lane: usize, bounds: &Bounds) {
+        for axis in 0..3 {
+            self.side[axis][0][lane] = bounds.min[axis].next_down();
+            self.side[axis][1][lane] = bounds.max[axis].next_up();
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! Assignment 6: trees that find hits in logarithmic time.
+
+pub mod bvh;
