@@ -22,9 +22,7 @@ pub fn level() -> Level {
 /// If the processor lacks it, or another choice is already in use.
 pub fn restrict(name: &str) -> Result<(), String> {
     let level = by_name(name).ok_or_else(|| format!("this processor does not offer `{name}`"))?;
-    LEVEL
-        .set(level)
-        .map_err(|_| "the instruction set was already chosen".to_owned())
+    LEVEL.set(level).map_err(|_| "the instruction set was already chosen".to_owned())
 }
 
 /// The level of that name if this processor has it.

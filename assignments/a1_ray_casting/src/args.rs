@@ -5,6 +5,20 @@ use common::cli::{AppError, GeneralArgs};
 use common::picture::Size;
 use std::path::{Path, PathBuf};
 
+/// Ray casting: the nearest thing along one ray per pixel, in flat colour and as depth.
+#[derive(clap::Parser)]
+#[command(
+    name = "a1_ray_casting",
+    version,
+    rename_all = "snake_case",
+    after_help = "Example:\n  a1_ray_casting -input scenes/scene1_01.txt -size 200 200 -output out.tga -depth 9 10 depth.tga"
+)]
+pub struct Program {
+    /// All flags.
+    #[command(flatten)]
+    pub args: CastArgs,
+}
+
 /// Scene in, pictures out.
 #[derive(Clone, Debug, clap::Args)]
 #[command(rename_all = "snake_case", next_help_heading = "Assignment 1: ray casting")]
@@ -47,7 +61,7 @@ impl CastArgs {
 
     /// Whether neither a picture nor the statistics are asked for.
     pub fn is_idle(&self) -> bool {
-        self.outputs().is_empty() && !self.general.stats
+        self.outputs().is_empty() && !self.general.program.stats
     }
 
     /// The depth layer and its range.

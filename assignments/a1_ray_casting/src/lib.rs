@@ -9,7 +9,7 @@ mod layer;
 mod report;
 mod studio;
 
-pub use args::CastArgs;
+pub use args::{CastArgs, Program};
 pub use layer::{Depth, FlatColor, Layer, Sight, plain_material};
 pub use report::Report;
 pub use studio::{Picture, Studio, picture};

@@ -6,6 +6,20 @@ use common::cli::AppError;
 use common::scene::Scene;
 use std::path::{Path, PathBuf};
 
+/// Diffuse light on spheres, planes, triangles and meshes under transforms; normals as colours.
+#[derive(clap::Parser)]
+#[command(
+    name = "a2_transforms",
+    version,
+    rename_all = "snake_case",
+    after_help = "Example:\n  a2_transforms -input scenes/scene2_03_colored_lights.txt -size 200 200 -output out.tga -normals normals.tga"
+)]
+pub struct Program {
+    /// All flags.
+    #[command(flatten)]
+    pub args: DiffuseArgs,
+}
+
 /// Normals and two-sided light.
 #[derive(Clone, Debug, clap::Args)]
 #[command(rename_all = "snake_case", next_help_heading = "Assignment 2: transforms and diffuse light")]
@@ -46,7 +60,7 @@ impl DiffuseArgs {
     /// # Errors
     /// If neither a picture nor the statistics are asked for.
     pub fn refuse_idleness(&self) -> Result<(), AppError> {
-        if self.outputs().is_empty() && !self.cast.general.stats {
+        if self.outputs().is_empty() && !self.cast.general.program.stats {
             let what = "nothing to do: give -output, -depth, -normals or -stats";
             return Err(AppError::Usage(what.to_owned()));
         }

@@ -11,7 +11,7 @@ mod incident;
 mod local;
 mod normals;
 
-pub use args::DiffuseArgs;
+pub use args::{DiffuseArgs, Program};
 pub use diffuse::{DiffuseColor, diffuse};
 pub use incident::{Incident, Source, incident};
 pub use local::{LocalLight, Unshadowed, Visibility};

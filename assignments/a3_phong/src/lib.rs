@@ -6,9 +6,15 @@
 
 mod args;
 mod phong;
+mod preview;
+mod raster;
+mod tessellate;
 
-pub use args::{PhongArgs, Specular};
+pub use args::{PhongArgs, Program, Specular};
 pub use phong::{Phong, PhongColor};
+pub use preview::{Preview, Shading};
+pub use raster::{Canvas, Corner, rasterise};
+pub use tessellate::{Face, Resolution, Tessellation, Tessellator, Vertex};
 
 use a1_ray_casting::{Studio, picture};
 use common::accel::List;
@@ -23,11 +29,7 @@ pub fn run(args: &PhongArgs) -> Result<(), AppError> {
     let (studio, mut report) = Studio::open(args.cast(), &args.outputs())?;
     args.draw_preview(&studio, &mut report)?;
     let list = report.time("build", || List::new(&studio.geometry));
-    let color = PhongColor {
-        scene: &studio.scene,
-        light: args.diffuse.local_light(&studio.scene),
-        phong: Phong { specular: args.specular },
-    };
+    let color = args.color(&studio.scene);
     let mut pictures = args.diffuse.side_pictures();
     pictures.extend(picture(&args.cast().output, color));
     studio.shoot(args.cast(), &list, &pictures, report)

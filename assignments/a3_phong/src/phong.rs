@@ -4,6 +4,7 @@ use crate::Specular;
 use a1_ray_casting::{Layer, Sight, plain_material};
 use a2_transforms::{LocalLight, Unshadowed, diffuse};
 use common::counters::Counters;
+use common::geometry::Surface;
 use common::math::Vec3;
 use common::scene::{PhongMaterial, Scene};
 
@@ -43,12 +44,20 @@ pub struct PhongColor<'a> {
     pub phong: Phong,
 }
 
+impl PhongColor<'_> {
+    /// The light that a surface sends back against `view`, the unit direction of sight. The
+    /// preview asks for it at corners of polygons, the ray tracer at hits.
+    pub fn shade(&self, surface: &Surface, view: Vec3) -> Vec3 {
+        let material = plain_material(self.scene, surface.material);
+        let reflect = |m: &PhongMaterial, n, l, v| self.phong.reflect(m, n, l, v);
+        self.light.radiance(surface, material, view, reflect, &mut Unshadowed)
+    }
+}
+
 impl Layer for PhongColor<'_> {
     fn value(&self, sight: &Sight, _: &mut Counters) -> Vec3 {
         let Some(surface) = sight.surface() else { return self.scene.background.color };
-        let material = plain_material(self.scene, surface.material);
-        let reflect = |m: &PhongMaterial, n, l, v| self.phong.reflect(m, n, l, v);
-        self.light.radiance(surface, material, sight.ray.direction, reflect, &mut Unshadowed)
+        self.shade(surface, sight.ray.direction)
     }
 }
 

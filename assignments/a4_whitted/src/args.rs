@@ -9,6 +9,20 @@ use common::cli::{self, AppError, Skip};
 use common::scene::Scene;
 use std::path::Path;
 
+/// Whitted ray tracing: shadows, reflection, refraction.
+#[derive(clap::Parser)]
+#[command(
+    name = "a4_whitted",
+    version,
+    rename_all = "snake_case",
+    after_help = "Example:\n  a4_whitted -input scenes/scene4_04_reflective_sphere.txt -size 200 200 -output out.tga -shadows -bounces 3 -weight 0.01"
+)]
+pub struct Program {
+    /// All flags.
+    #[command(flatten)]
+    pub args: WhittedArgs,
+}
+
 /// Shadows and secondary rays.
 #[derive(Clone, Debug, clap::Args)]
 #[command(rename_all = "snake_case", next_help_heading = "Assignment 4: shadows, mirrors, glass")]
@@ -17,9 +31,9 @@ pub struct WhittedArgs {
     #[arg(long)]
     pub shadows: bool,
 
-    /// How many times a ray may be mirrored or refracted
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub bounces: u32,
+    /// How many times a ray may be mirrored or refracted; 0 if not given
+    #[arg(long, value_name = "N")]
+    pub bounces: Option<u32>,
 
     /// Drop mirrored and refracted rays whose weight falls below this
     #[arg(long, value_name = "W")]
@@ -66,10 +80,10 @@ impl WhittedArgs {
                 cli::warn(&format!("{name} has no effect without {other}"));
             }
         };
-        let no_bounces = self.bounces == 0;
-        // The course's own command lines give both, also with zero bounces.
-        without(self.weight.is_some() && no_bounces && !self.shadows, "-weight", "-bounces");
-        without(self.fresnel && no_bounces, "-fresnel", "-bounces");
+        // `-bounces 0 -weight 0.01` stands in the course's own command lines, so only a missing
+        // `-bounces` is worth a word.
+        without(self.weight.is_some() && self.bounces.is_none(), "-weight", "-bounces");
+        without(self.fresnel && self.bounces.is_none(), "-fresnel", "-bounces");
         without(self.transparent_shadows && !self.shadows, "-transparent_shadows", "-shadows");
         self.check_pixel()?;
         if self.trace.is_some() { Ok(()) } else { self.phong.check() }
@@ -95,7 +109,7 @@ impl WhittedArgs {
             rules: Rules {
                 shadows: self.shadows,
                 transparent_shadows: self.transparent_shadows,
-                bounces: self.bounces,
+                bounces: self.bounces.unwrap_or(0),
                 min_weight: self.weight.unwrap_or(0.0),
                 fresnel: self.fresnel,
                 skip_behind: skips(Skip::Behind),
@@ -123,7 +137,10 @@ impl WhittedArgs {
         counters.rays += 1;
         let hit = whitted.accel.nearest(&ray, studio.camera.interval, counters);
         let color = whitted.radiance(&Sight::new(&studio.geometry, ray, hit), counters, &mut tree);
-        cli::say(&format!("pixel {} {}: {:.6} {:.6} {:.6}\n{tree}", pixel[0], pixel[1], color.x, color.y, color.z));
+        cli::say(&format!(
+            "pixel {} {}: {:.6} {:.6} {:.6}\n{tree}",
+            pixel[0], pixel[1], color.x, color.y, color.z
+        ));
         Ok(())
     }
 }

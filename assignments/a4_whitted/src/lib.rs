@@ -10,7 +10,7 @@ mod shadow;
 mod tree;
 mod whitted;
 
-pub use args::WhittedArgs;
+pub use args::{Program, WhittedArgs};
 pub use optics::{Crossing, mirror, refract};
 pub use tree::{NoRecord, RayKind, RayNode, RayTree, Recorder};
 pub use whitted::{Rules, Whitted, WhittedColor};

@@ -32,7 +32,10 @@ pub fn refract(incoming: DVec3, normal: DVec3, ior: f64) -> Crossing {
     let across = (eta * cos_in - cos_out) / (eta * cos_in + cos_out);
     let within = (cos_in - eta * cos_out) / (cos_in + eta * cos_out);
     let reflectance = (across * across + within * within) / 2.0;
-    Crossing { refracted: Some(direction.normalize()), reflectance: if reflectance.is_nan() { 1.0 } else { reflectance } }
+    Crossing {
+        refracted: Some(direction.normalize()),
+        reflectance: if reflectance.is_nan() { 1.0 } else { reflectance },
+    }
 }
 
 #[cfg(test)]

@@ -99,7 +99,9 @@ impl Display for RayNode {
             (RayKind::Shadow, _) if self.share == Vec3::ZERO => write!(f, ": blocked"),
             (RayKind::Shadow, _) if self.share == Vec3::ONE => write!(f, ": free"),
             (RayKind::Shadow, _) => write!(f, ": coloured {}", self.share),
-            (_, Some(h)) => write!(f, ": primitive {} at t {:.5}, weight {:.5}", h.primitive, h.t, self.share.x),
+            (_, Some(h)) => {
+                write!(f, ": primitive {} at t {:.5}, weight {:.5}", h.primitive, h.t, self.share.x)
+            }
             (_, None) => write!(f, ": background, weight {:.5}", self.share.x),
         }
     }

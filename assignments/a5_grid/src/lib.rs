@@ -1,1 +1,97 @@
-//! Placeholder.
+//! Assignment 5: space cut into cells. The grid as a picture, and as a way to find hits sooner.
+
+mod args;
+mod cell_picture;
+mod cells;
+mod grid;
+mod march;
+pub mod overlap;
+pub mod voxelise;
+
+pub use args::{GridArgs, Program};
+pub use cell_picture::{CellPicture, cell_color};
+pub use cells::{Cells, MAX_CELLS};
+pub use grid::Grid;
+pub use march::{March, Step};
+pub use voxelise::Fit;
+
+use a1_ray_casting::{Report, Studio, picture};
+use common::accel::{Accel, List};
+use common::cli::AppError;
+
+/// The whole program: reads the scene, renders what was asked for, writes it.
+///
+/// # Errors
+/// Bad usage, an unreadable scene, an unwritable picture.
+pub fn run(args: &GridArgs) -> Result<(), AppError> {
+    args.check()?;
+    let (studio, mut report) = Studio::open(args.cast(), &args.outputs())?;
+    args.whitted.phong.draw_preview(&studio, &mut report)?;
+    let cells = args.cells(&studio)?;
+    report.cells = cells.as_ref().map(|c| c.count.map(|n| n as u32));
+    if args.shows_cells() {
+        return picture_of_cells(args, &studio, cells, report);
+    }
+    let accel = report.time("build", || args.structure(&studio.geometry, cells))?;
+    report.notes.push(accel.describe());
+    a4_whitted::shoot(&args.whitted, &studio, accel.as_accel(), report)
+}
+
+/// The picture of `-visualize_grid`, with the depth and normal pictures beside it. Only counts
+/// are kept of the cells, unless one of those pictures needs hits.
+fn picture_of_cells(
+    args: &GridArgs,
+    studio: &Studio,
+    cells: Option<Cells>,
+    mut report: Report,
+) -> Result<(), AppError> {
+    // A scene without finite objects has no cells, and a picture of nothing but background.
+    let cells = cells
+        .unwrap_or_else(|| Cells::new([1; 3], &common::math::Bounds::of_points([common::math::Vec3::ZERO])));
+    let fit = args.grid_fit.unwrap_or(Fit::Bounds);
+    let counts = report.time("build", || voxelise::count(&cells, &studio.geometry, fit));
+    let occupied = counts.iter().filter(|n| **n > 0).count();
+    report.notes.push(format!("grid: {occupied} of {} cells occupied", cells.len()));
+    let side = args.whitted.phong.diffuse.side_pictures();
+    let structure = match side.is_empty() {
+        true => {
+            report.notes.push("skipped: a structure for hits, no picture needs one".to_owned());
+            Structure::List(List::new(&studio.geometry))
+        }
+        false => args.structure(&studio.geometry, Some(cells.clone()))?,
+    };
+    let light = args.whitted.phong.diffuse.local_light(&studio.scene);
+    let layer = CellPicture { cells: &cells, counts: &counts, light, interval: studio.camera.interval };
+    let mut pictures = side;
+    pictures.extend(picture(&args.cast().output, layer));
+    studio.shoot(args.cast(), structure.as_accel(), &pictures, report)
+}
+
+/// What finds hits: the grid if one was asked for, else the list.
+pub enum Structure<'g> {
+    /// Brute force.
+    List(List<'g>),
+    /// The grid.
+    Grid(Box<Grid<'g>>),
+}
+
+impl Structure<'_> {
+    /// The structure behind the common seam.
+    pub fn as_accel(&self) -> &dyn Accel {
+        match self {
+            Self::List(list) => list,
+            Self::Grid(grid) => &**grid,
+        }
+    }
+
+    /// What was built, for `-stats`.
+    fn describe(&self) -> String {
+        match self {
+            Self::List(_) => "structure: list of all primitives".to_owned(),
+            Self::Grid(g) => {
+                let kib = g.bytes().div_ceil(1024);
+                format!("structure: grid, {} references, {kib} KiB", g.references())
+            }
+        }
+    }
+}

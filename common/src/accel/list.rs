@@ -19,34 +19,19 @@ pub struct List<'g> {
 impl<'g> List<'g> {
     /// Packs the triangles into blocks.
     pub fn new(geometry: &'g Geometry) -> Self {
-        let numbered: Vec<(u32, _)> = geometry
-            .triangle_numbers()
-            .iter()
-            .copied()
-            .zip(geometry.triangles().iter().copied())
-            .collect();
-        let blocks = numbered
-            .chunks(LANES)
-            .map(|c| TriangleBlock::pack(c.iter().copied()))
-            .collect();
+        let numbered: Vec<(u32, _)> =
+            geometry.triangle_numbers().iter().copied().zip(geometry.triangles().iter().copied()).collect();
+        let blocks = numbered.chunks(LANES).map(|c| TriangleBlock::pack(c.iter().copied())).collect();
         let triangle_bounds = Bounds::of_points(geometry.triangles().iter().flatten().copied());
-        Self {
-            geometry,
-            blocks,
-            triangle_bounds,
-        }
+        Self { geometry, blocks, triangle_bounds }
     }
 
     /// Hits of spheres, planes and discs, in order of their kind.
-    fn others<'a>(
-        &'a self,
-        ray: &'a ExactRay,
-        interval: Interval,
-    ) -> impl Iterator<Item = Hit> + 'a {
-        let solids = (0..self.geometry.solids().len())
-            .filter_map(move |i| self.geometry.hit_solid(i, ray, interval));
-        let sheets = (0..self.geometry.sheets().len())
-            .filter_map(move |i| self.geometry.hit_sheet(i, ray, interval));
+    fn others<'a>(&'a self, ray: &'a ExactRay, interval: Interval) -> impl Iterator<Item = Hit> + 'a {
+        let solids =
+            (0..self.geometry.solids().len()).filter_map(move |i| self.geometry.hit_solid(i, ray, interval));
+        let sheets =
+            (0..self.geometry.sheets().len()).filter_map(move |i| self.geometry.hit_sheet(i, ray, interval));
         solids.chain(sheets)
     }
 
@@ -70,11 +55,7 @@ impl Accel for List<'_> {
         }
         if !self.blocks.is_empty() {
             let filter = Filter::new(ray, &self.triangle_bounds);
-            let job = Job {
-                filter: &filter,
-                exact: &exact,
-                interval,
-            };
+            let job = Job { filter: &filter, exact: &exact, interval };
             best = dispatch!(simd::level(), s => job.nearest(s, &self.blocks, best, counters));
         }
         best
@@ -93,11 +74,7 @@ impl Accel for List<'_> {
             return false;
         }
         let filter = Filter::new(ray, &self.triangle_bounds);
-        let job = Job {
-            filter: &filter,
-            exact: &exact,
-            interval,
-        };
+        let job = Job { filter: &filter, exact: &exact, interval };
         dispatch!(simd::level(), s => job.any(s, &self.blocks, counters))
     }
 
@@ -106,22 +83,12 @@ impl Accel for List<'_> {
     }
 
     fn validate(&self) -> Result<(), String> {
-        let packed: Vec<u32> = self
-            .blocks
-            .iter()
-            .flat_map(|b| b.index[..b.len as usize].to_vec())
-            .collect();
+        let packed: Vec<u32> = self.blocks.iter().flat_map(|b| b.index[..b.len as usize].to_vec()).collect();
         if packed != self.geometry.triangle_numbers() {
             return Err("the blocks do not hold every triangle once, in order".to_owned());
         }
-        let lanes = self
-            .blocks
-            .iter()
-            .flat_map(|b| (0..b.len as usize).map(|l| b.vertices(l)));
-        match lanes
-            .zip(self.geometry.triangles())
-            .position(|(a, b)| a != *b)
-        {
+        let lanes = self.blocks.iter().flat_map(|b| (0..b.len as usize).map(|l| b.vertices(l)));
+        match lanes.zip(self.geometry.triangles()).position(|(a, b)| a != *b) {
             Some(i) => Err(format!("triangle {i} was changed in packing")),
             None => Ok(()),
         }
@@ -152,24 +119,12 @@ impl Job<'_> {
         for block in blocks {
             // Up to and including the best t: an equal t with a lower number still wins.
             let max = best.map_or(self.interval.max, |b: Hit| b.t);
-            let mut lanes = block.candidates(
-                simd,
-                self.filter,
-                Interval {
-                    max,
-                    ..self.interval
-                },
-            );
+            let mut lanes = block.candidates(simd, self.filter, Interval { max, ..self.interval });
             counters.exact_tests += u64::from(lanes.count_ones());
             while lanes != 0 {
                 let lane = lanes.trailing_zeros() as usize;
                 lanes &= lanes - 1;
-                let hit = hit_triangle(
-                    &block.vertices(lane),
-                    block.index[lane],
-                    self.exact,
-                    self.interval,
-                );
+                let hit = hit_triangle(&block.vertices(lane), block.index[lane], self.exact, self.interval);
                 if let Some(hit) = hit.filter(|h| h.precedes(best.as_ref())) {
                     best = Some(hit);
                 }
@@ -188,13 +143,7 @@ impl Job<'_> {
             while lanes != 0 {
                 let lane = lanes.trailing_zeros() as usize;
                 lanes &= lanes - 1;
-                if hit_triangle(
-                    &block.vertices(lane),
-                    block.index[lane],
-                    self.exact,
-                    self.interval,
-                )
-                .is_some()
+                if hit_triangle(&block.vertices(lane), block.index[lane], self.exact, self.interval).is_some()
                 {
                     return true;
                 }

@@ -6,7 +6,7 @@
 
 mod list;
 
-pub use list::List;
+pub use list::{Job, List};
 
 use crate::counters::Counters;
 use crate::geometry::{Geometry, Hit};

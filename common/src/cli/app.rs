@@ -44,11 +44,7 @@ impl AppError {
 /// Texts that are rendered with a heading of their own (scene errors) keep it.
 fn headed(text: &str) -> String {
     let text = text.trim_end();
-    if text.starts_with("error") {
-        text.to_owned()
-    } else {
-        format!("error: {text}")
-    }
+    if text.starts_with("error") { text.to_owned() } else { format!("error: {text}") }
 }
 
 fn with_causes(error: &dyn Error) -> String {
@@ -81,11 +77,7 @@ mod tests {
 
     fn write_nowhere() -> Result<(), AppError> {
         let film = Film::new(Size::new(1, 1)?);
-        Ok(write(
-            Path::new("/proc/no/such.tga"),
-            &film,
-            Transfer::Linear,
-        )?)
+        Ok(write(Path::new("/proc/no/such.tga"), &film, Transfer::Linear)?)
     }
 
     #[test]
@@ -94,10 +86,7 @@ mod tests {
         assert_eq!(error.code(), 2);
         let report = error.report();
         let mut lines = report.lines();
-        assert_eq!(
-            lines.next(),
-            Some("error: cannot write '/proc/no/such.tga'")
-        );
+        assert_eq!(lines.next(), Some("error: cannot write '/proc/no/such.tga'"));
         assert!(lines.next().unwrap().starts_with("  caused by: "));
         assert_eq!(lines.next(), None);
     }
@@ -107,9 +96,6 @@ mod tests {
         let usage = AppError::Usage("error: expected a number\n".to_owned());
         assert_eq!(usage.report(), "error: expected a number");
         let check = AppError::CheckFailed("3 pixels differ".to_owned());
-        assert_eq!(
-            (check.report().as_str(), check.code()),
-            ("error: 3 pixels differ", 1)
-        );
+        assert_eq!((check.report().as_str(), check.code()), ("error: 3 pixels differ", 1));
     }
 }

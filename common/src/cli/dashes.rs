@@ -80,8 +80,7 @@ fn single_dashes(text: &str) -> String {
 }
 
 fn starts_flag(text: &str) -> bool {
-    text.strip_prefix("--")
-        .is_some_and(|word| word.starts_with(char::is_alphabetic))
+    text.strip_prefix("--").is_some_and(|word| word.starts_with(char::is_alphabetic))
 }
 
 #[cfg(test)]
@@ -113,15 +112,9 @@ mod tests {
     fn texts_show_one_dash() {
         for (clap, course) in [
             ("error: '--size <W> <H>' is", "error: '-size <W> <H>' is"),
-            (
-                "Usage: rt [OPTIONS] --input <F>",
-                "Usage: rt [OPTIONS] -input <F>",
-            ),
+            ("Usage: rt [OPTIONS] --input <F>", "Usage: rt [OPTIONS] -input <F>"),
             ("use '-- --foo'", "use '-- -foo'"),
-            (
-                "a--b stays, -- too, ---x too",
-                "a--b stays, -- too, ---x too",
-            ),
+            ("a--b stays, -- too, ---x too", "a--b stays, -- too, ---x too"),
             ("[--a|--b]", "[-a|-b]"),
         ] {
             assert_eq!(singled(clap), course);
@@ -130,8 +123,10 @@ mod tests {
 
     #[test]
     fn columns_stay_aligned() {
-        let clap = "Options:\n      --size <W> <H>  Size\n                      in pixels\n  -h, --help          Help\n";
-        let course = "Options:\n  -size <W> <H>       Size\n                      in pixels\n  -h, -help           Help\n";
+        let clap = "Options:\n      --size <W> <H>  Size, or --big\n\
+                    \x20                     in pixels\n  -h, --help          Help\n";
+        let course = "Options:\n  -size <W> <H>       Size, or -big\n\
+                      \x20                     in pixels\n  -h, -help           Help\n";
         assert_eq!(singled(clap), course);
     }
 }

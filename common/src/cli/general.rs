@@ -1,29 +1,19 @@
-//! The flags that every program understands.
+//! The flags that all programs, or all ray tracers, share.
 
 use crate::tiles::TileOptions;
 
 /// Where these flags stand in the help text.
 pub(super) const HEADING: &str = "General";
 
-/// Threads, tiles, and what is printed. Flatten it into a program's options.
-#[derive(Clone, Debug, clap::Args)]
+/// Threads, and what is printed: the flags that every program understands. Flatten it into the
+/// options of a program that traces no rays; the others want [`GeneralArgs`].
+#[derive(Clone, Debug, Default, clap::Args)]
 #[command(rename_all = "snake_case")]
-pub struct GeneralArgs {
+pub struct ProgramArgs {
     /// Number of threads; all cores if not given. Never changes a picture
-    #[arg(long, help_heading = HEADING, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    #[arg(long, help_heading = HEADING, value_name = "N")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub threads: Option<u32>,
-
-    /// Side of the square tiles that threads work on, in pixels. Never changes a picture
-    #[arg(long, help_heading = HEADING, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65_536))]
-    pub tile: Option<u32>,
-
-    /// Instruction set of the intersection kernels. Never changes a picture
-    #[arg(long, help_heading = HEADING, value_name = "SET", value_enum, default_value_t)]
-    pub simd: SimdChoice,
-
-    /// Do a kind of work that is normally skipped as needless; repeatable. Never changes a picture
-    #[arg(long, help_heading = HEADING, value_name = "NAME", value_enum)]
-    pub noskip: Vec<Skip>,
 
     /// Print what was counted, and the times
     #[arg(long, help_heading = HEADING)]
@@ -38,14 +28,45 @@ pub struct GeneralArgs {
     pub quiet: bool,
 }
 
+impl ProgramArgs {
+    /// The options of a parallel loop; `label` names the work in the progress bar.
+    pub fn loop_options<'a>(&self, label: &'a str) -> TileOptions<'a> {
+        TileOptions {
+            threads: self.threads.map(|n| n as usize),
+            label: Some(label),
+            ..TileOptions::default()
+        }
+    }
+}
+
+/// The flags that every ray tracer understands. Flatten it into a program's options.
+#[derive(Clone, Debug, Default, clap::Args)]
+#[command(rename_all = "snake_case")]
+pub struct GeneralArgs {
+    /// Side of the square tiles that threads work on, in pixels. Never changes a picture
+    #[arg(long, help_heading = HEADING, value_name = "N")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=65_536))]
+    pub tile: Option<u32>,
+
+    /// Instruction set of the intersection kernels. Never changes a picture
+    #[arg(long, help_heading = HEADING, value_name = "SET", value_enum, default_value_t)]
+    pub simd: SimdChoice,
+
+    /// Do a kind of work that is normally skipped as needless; repeatable. Never changes a picture
+    #[arg(long, help_heading = HEADING, value_name = "NAME", value_enum)]
+    pub noskip: Vec<Skip>,
+
+    /// Threads, and what is printed.
+    #[command(flatten)]
+    pub program: ProgramArgs,
+}
+
 impl GeneralArgs {
     /// The tile loop's options; `label` names the work in the progress bar.
     pub fn tile_options<'a>(&self, label: &'a str) -> TileOptions<'a> {
         TileOptions {
             tile: self.tile,
-            threads: self.threads.map(|n| n as usize),
-            label: Some(label),
-            stop: None,
+            ..self.program.loop_options(label)
         }
     }
 

@@ -1,6 +1,6 @@
 //! The command line: the course's flags, errors and warnings, progress.
 //!
-//! Programs describe their flags with clap's derive and parse them with [`parse`]. The course
+//! Programs describe their flags with clap's derive and parse them with [`parse()`]. The course
 //! writes long flags with one dash (`-size 200 200`); clap wants two. The translation, there and
 //! back, is done here, so that neither the programs nor their users notice.
 //!
@@ -31,7 +31,8 @@
 //! fn main() -> std::process::ExitCode {
 //!     cli::run(|| {
 //!         let options: Options = cli::parse();
-//!         let size = common::picture::Size::new(options.picture.size[0], options.picture.size[1])?;
+//!         let [width, height] = options.picture.size[..] else { unreachable!() };
+//!         let size = common::picture::Size::new(width, height)?;
 //!         cli::say(&format!("{size}"));
 //!         Ok(())
 //!     })
@@ -47,7 +48,7 @@ mod parse;
 mod progress;
 
 pub use app::{AppError, run};
-pub use general::{GeneralArgs, SimdChoice, Skip};
+pub use general::{GeneralArgs, ProgramArgs, SimdChoice, Skip};
 pub use output::{is_quiet, note, say, set_quiet, warn};
 pub use parse::{Parsed, Stop, parse, try_parse_from};
 pub use progress::Progress;

@@ -16,17 +16,12 @@ pub fn plain_negative(text: &str) -> Option<String> {
     }
     // No number that a flag takes has more decimals; the rest are left for clap to refuse.
     const MOST_DECIMALS: u64 = 400;
-    (exponent.unsigned_abs() <= MOST_DECIMALS)
-        .then(|| format!("-{}", shifted(whole, fraction, exponent)))
+    (exponent.unsigned_abs() <= MOST_DECIMALS).then(|| format!("-{}", shifted(whole, fraction, exponent)))
 }
 
 fn joined(whole: &str, fraction: &str) -> String {
     let whole = if whole.is_empty() { "0" } else { whole };
-    if fraction.is_empty() {
-        whole.to_owned()
-    } else {
-        format!("{whole}.{fraction}")
-    }
+    if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") }
 }
 
 /// The digits with the point moved right by `exponent` places.
@@ -67,20 +62,8 @@ mod tests {
 
     #[test]
     fn words_are_not_numbers() {
-        for text in [
-            "-",
-            "--",
-            "-size",
-            "-e5",
-            "-inf",
-            "-nan",
-            "-.",
-            "-1e",
-            "-1e999999",
-            "2",
-            "-1x",
-            "-1-1",
-        ] {
+        for text in ["-", "--", "-size", "-e5", "-inf", "-nan", "-.", "-1e", "-1e999999", "2", "-1x", "-1-1"]
+        {
             assert_eq!(plain_negative(text), None, "{text}");
         }
     }

@@ -63,8 +63,7 @@ pub fn try_parse_from<T: Parser>(
     let mut command = prepared(T::command());
     let warnings = repeated_flags(&command, &args);
     let matches = command.try_get_matches_from_mut(args).map_err(stop)?;
-    let options =
-        T::from_arg_matches(&matches).map_err(|error| stop(error.format(&mut command)))?;
+    let options = T::from_arg_matches(&matches).map_err(|error| stop(error.format(&mut command)))?;
     Ok(Parsed {
         options,
         warnings,
@@ -74,10 +73,7 @@ pub fn try_parse_from<T: Parser>(
 }
 
 fn stop(error: clap::Error) -> Stop {
-    Stop {
-        code: if error.use_stderr() { 2 } else { 0 },
-        text: dashes::singled(&error.to_string()),
-    }
+    Stop { code: if error.use_stderr() { 2 } else { 0 }, text: dashes::singled(&error.to_string()) }
 }
 
 /// The settings that all programs share.
@@ -86,36 +82,20 @@ fn prepared(command: Command) -> Command {
         .args_override_self(true)
         .disable_help_flag(true)
         .disable_version_flag(true)
-        .mut_args(|arg| {
-            if takes_value(&arg) {
-                with_values(arg)
-            } else {
-                arg
-            }
-        })
+        .mut_args(|arg| if takes_value(&arg) { with_values(arg) } else { arg })
         .arg(flag("help", 'h', "Print this help").action(ArgAction::Help))
         .arg(flag("version", 'V', "Print the version").action(ArgAction::Version))
 }
 
 fn flag(name: &'static str, short: char, help: &'static str) -> Arg {
-    Arg::new(name)
-        .short(short)
-        .long(name)
-        .help(help)
-        .help_heading(HEADING)
+    Arg::new(name).short(short).long(name).help(help).help_heading(HEADING)
 }
 
 fn with_values(arg: Arg) -> Arg {
     let arg = arg.allow_negative_numbers(true);
     // `-size 1 1 -size 2 2` must not collect four values; repeatable flags take one at a time.
-    let fixed = arg
-        .get_num_args()
-        .is_some_and(|range| range.min_values() > 1);
-    if fixed {
-        arg.action(ArgAction::Set)
-    } else {
-        arg
-    }
+    let fixed = arg.get_num_args().is_some_and(|range| range.min_values() > 1);
+    if fixed { arg.action(ArgAction::Set) } else { arg }
 }
 
 fn takes_value(arg: &Arg) -> bool {
@@ -137,12 +117,7 @@ fn repeated_flags(command: &Command, args: &[OsString]) -> Vec<String> {
         .filter(|arg| matches!(arg.get_action(), ArgAction::Set | ArgAction::SetTrue))
         .filter_map(|arg| arg.get_long())
         .filter(|long| times(long) > 1)
-        .map(|long| {
-            format!(
-                "-{long} is given {} times; the last one counts",
-                times(long)
-            )
-        })
+        .map(|long| format!("-{long} is given {} times; the last one counts", times(long)))
         .collect()
 }
 

@@ -77,10 +77,7 @@ fn the_last_of_two_counts_with_a_warning() {
     assert_eq!(parsed.options.second.first.size, [2, 3]);
     assert_eq!(
         parsed.warnings,
-        [
-            "-shade_back is given 2 times; the last one counts",
-            "-size is given 2 times; the last one counts"
-        ]
+        ["-shade_back is given 2 times; the last one counts", "-size is given 2 times; the last one counts"]
     );
     let repeatable = parse_line("rt -input a -noskip tile -noskip dark").unwrap();
     assert_eq!(repeatable.warnings, [""; 0]);
@@ -92,18 +89,12 @@ fn the_last_of_two_counts_with_a_warning() {
 #[test]
 fn usage_errors_speak_the_course_s_language() {
     for (line, parts) in [
-        (
-            "rt -input a -shade_bakc",
-            vec!["'-shade_bakc'", "'-shade_back'"],
-        ),
+        ("rt -input a -shade_bakc", vec!["'-shade_bakc'", "'-shade_back'"]),
         ("rt", vec!["-input <FILE>"]),
         ("rt -input a -size 3", vec!["-size <W> <H>", "2 values"]),
         ("rt -input a -size 3 -shade_back", vec!["-size <W> <H>"]),
         ("rt -input a -size 3 x", vec!["'x'", "-size <W> <H>"]),
-        (
-            "rt -input a -size 3 99999999999999999999",
-            vec!["99999999999999999999"],
-        ),
+        ("rt -input a -size 3 99999999999999999999", vec!["99999999999999999999"]),
         ("rt -input a -threads 0", vec!["-threads <N>", "1..=1024"]),
         ("rt -input a -tile -3", vec!["-3"]),
         ("rt -input a -noskip tiel", vec!["'tile'", "behind"]),

@@ -53,15 +53,10 @@ impl Geometry {
         material: u32,
         placement: &Placement,
     ) -> Result<(), GeometryError> {
-        let error = |message: &str| GeometryError {
-            position: node.position,
-            message: message.to_owned(),
-        };
-        let to_world = Affine::from_matrix(&placement.matrix).ok_or_else(|| {
-            error("the transforms around this shape multiply to a matrix without inverse")
-        })?;
-        let first =
-            u32::try_from(self.len()).map_err(|_| error("more than 4294967295 primitives"))?;
+        let error = |message: &str| GeometryError { position: node.position, message: message.to_owned() };
+        let to_world = Affine::from_matrix(&placement.matrix)
+            .ok_or_else(|| error("the transforms around this shape multiply to a matrix without inverse"))?;
+        let first = u32::try_from(self.len()).map_err(|_| error("more than 4294967295 primitives"))?;
         let (kind, start) = match shape {
             ShapeSpec::Sphere { center, radius } => {
                 let solid = bake_sphere(*center, *radius, &to_world, placement.transformed, first);
@@ -69,40 +64,25 @@ impl Geometry {
                 self.solids.push(solid);
                 (RunKind::Solid, fits.then_some(self.solids.len() - 1))
             }
-            ShapeSpec::Plane {
-                normal,
-                offset,
-                disc,
-            } => {
+            ShapeSpec::Plane { normal, offset, disc } => {
                 let mut plane = bake_plane(*normal, *offset, &to_world);
                 if let Some(disc) = disc {
                     let baked = bake_disc(disc, *normal, *offset, &to_world);
-                    plane.disc =
-                        Some(baked.ok_or_else(|| error("a disc can only be scaled evenly"))?);
+                    plane.disc = Some(baked.ok_or_else(|| error("a disc can only be scaled evenly"))?);
                 }
-                self.sheets.push(Sheet {
-                    primitive: first,
-                    plane,
-                });
+                self.sheets.push(Sheet { primitive: first, plane });
                 (RunKind::Sheet, Some(self.sheets.len() - 1))
             }
-            ShapeSpec::Triangle { vertices } => (
-                RunKind::Triangle,
-                self.add_triangles(first, &to_world, std::iter::once(*vertices)),
-            ),
+            ShapeSpec::Triangle { vertices } => {
+                (RunKind::Triangle, self.add_triangles(first, &to_world, std::iter::once(*vertices)))
+            }
             ShapeSpec::Mesh { mesh, .. } => {
                 let mesh = &scene.meshes[*mesh as usize];
                 (RunKind::Triangle, self.add_mesh(first, &to_world, mesh))
             }
         };
-        let start =
-            start.ok_or_else(|| error("this shape lies beyond the range of single precision"))?;
-        self.runs.push(Run {
-            first,
-            start: start as u32,
-            kind,
-            material,
-        });
+        let start = start.ok_or_else(|| error("this shape lies beyond the range of single precision"))?;
+        self.runs.push(Run { first, start: start as u32, kind, material });
         Ok(())
     }
 
@@ -110,19 +90,11 @@ impl Geometry {
     fn add_mesh(&mut self, first: u32, to_world: &Affine, mesh: &Mesh) -> Option<usize> {
         let world: Vec<Vec3> = match to_world.kind {
             AffineKind::Identity => mesh.positions.clone(),
-            _ => mesh
-                .positions
-                .iter()
-                .map(|p| to_world.point(p.as_dvec3()).as_vec3())
-                .collect(),
+            _ => mesh.positions.iter().map(|p| to_world.point(p.as_dvec3()).as_vec3()).collect(),
         };
         let order = winding(to_world);
         let start = self.triangles.len();
-        self.triangles.extend(
-            mesh.triangles
-                .iter()
-                .map(|t| order.map(|k| world[t[k] as usize])),
-        );
+        self.triangles.extend(mesh.triangles.iter().map(|t| order.map(|k| world[t[k] as usize])));
         self.number_triangles(start, first);
         world.iter().all(|p| p.is_finite()).then_some(start)
     }
@@ -135,14 +107,9 @@ impl Geometry {
     ) -> Option<usize> {
         let order = winding(to_world);
         let start = self.triangles.len();
-        self.triangles
-            .extend(triangles.map(|t| order.map(|k| to_world.point(t[k]).as_vec3())));
+        self.triangles.extend(triangles.map(|t| order.map(|k| to_world.point(t[k]).as_vec3())));
         self.number_triangles(start, first);
-        self.triangles[start..]
-            .iter()
-            .flatten()
-            .all(|p| p.is_finite())
-            .then_some(start)
+        self.triangles[start..].iter().flatten().all(|p| p.is_finite()).then_some(start)
     }
 
     fn number_triangles(&mut self, start: usize, first: u32) {
@@ -158,18 +125,13 @@ impl Geometry {
 }
 
 fn place(node: &Node, placements: &[Placement]) -> Placement {
-    let outer = node.parent.map_or(
-        Placement {
-            matrix: DMat4::IDENTITY,
-            transformed: false,
-        },
-        |p| placements[p as usize],
-    );
+    let outer = node
+        .parent
+        .map_or(Placement { matrix: DMat4::IDENTITY, transformed: false }, |p| placements[p as usize]);
     match &node.kind {
-        NodeKind::Transform(list) => Placement {
-            matrix: list.iter().fold(outer.matrix, |m, x| m * x.matrix()),
-            transformed: true,
-        },
+        NodeKind::Transform(list) => {
+            Placement { matrix: list.iter().fold(outer.matrix, |m, x| m * x.matrix()), transformed: true }
+        }
         _ => outer,
     }
 }
@@ -177,48 +139,26 @@ fn place(node: &Node, placements: &[Placement]) -> Placement {
 /// A mirroring map turns triangles inside out; swapping two corners turns them back, so that
 /// the world normal is M⁻ᵀ times the normal that the file meant.
 fn winding(to_world: &Affine) -> [usize; 3] {
-    if to_world.linear.determinant() < 0.0 {
-        [0, 2, 1]
-    } else {
-        [0, 1, 2]
-    }
+    if to_world.linear.determinant() < 0.0 { [0, 2, 1] } else { [0, 1, 2] }
 }
 
-fn bake_sphere(
-    center: DVec3,
-    radius: f64,
-    to_world: &Affine,
-    transformed: bool,
-    primitive: u32,
-) -> Solid {
+fn bake_sphere(center: DVec3, radius: f64, to_world: &Affine, transformed: bool, primitive: u32) -> Solid {
     let half = DVec3::splat(radius);
     let corner = |i: usize| {
         let side = |bit: usize| if i & bit == 0 { -1.0 } else { 1.0 };
         to_world.point(center + half * DVec3::new(side(1), side(2), side(4)))
     };
-    let (min, max) = (0..8)
-        .map(corner)
-        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(lo, hi), p| {
-            (lo.min(p), hi.max(p))
-        });
+    let (min, max) =
+        (0..8).map(corner).fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(lo, hi), p| (lo.min(p), hi.max(p)));
     let sphere = Sphere { center, radius };
     let shape = match to_world.kind {
         AffineKind::Identity => SolidShape::Sphere(sphere),
-        AffineKind::Similarity { scale } => SolidShape::Sphere(Sphere {
-            center: to_world.point(center),
-            radius: radius * scale,
-        }),
-        AffineKind::General => SolidShape::Ellipsoid(Box::new(Ellipsoid {
-            sphere,
-            to_world: *to_world,
-        })),
+        AffineKind::Similarity { scale } => {
+            SolidShape::Sphere(Sphere { center: to_world.point(center), radius: radius * scale })
+        }
+        AffineKind::General => SolidShape::Ellipsoid(Box::new(Ellipsoid { sphere, to_world: *to_world })),
     };
-    Solid {
-        primitive,
-        shape,
-        bounds: Bounds::enclosing(min, max),
-        transformed,
-    }
+    Solid { primitive, shape, bounds: Bounds::enclosing(min, max), transformed }
 }
 
 /// A plane under any affine map is a plane: its normal goes with M⁻ᵀ, one of its points with M.
@@ -226,11 +166,7 @@ fn bake_plane(normal: DVec3, offset: f64, to_world: &Affine) -> Plane {
     let unit = normal.normalize();
     let world_normal = to_world.normal(unit).normalize();
     let foot = to_world.point(unit * offset);
-    Plane {
-        normal: world_normal,
-        offset: world_normal.dot(foot),
-        disc: None,
-    }
+    Plane { normal: world_normal, offset: world_normal.dot(foot), disc: None }
 }
 
 /// The world-space centre (on the plane) and radius of a disc; `None` under a map that does not

@@ -147,15 +147,8 @@ impl Geometry {
             SolidShape::Sphere(s) => sphere::intersect(ray, s)?,
             SolidShape::Ellipsoid(e) => e.intersect(ray)?,
         };
-        let t = [near as f32, far as f32]
-            .into_iter()
-            .find(|&t| interval.contains(t))?;
-        Some(Hit {
-            t,
-            primitive: solid.primitive,
-            u: 0.0,
-            v: 0.0,
-        })
+        let t = [near as f32, far as f32].into_iter().find(|&t| interval.contains(t))?;
+        Some(Hit { t, primitive: solid.primitive, u: 0.0, v: 0.0 })
     }
 
     /// Tests one of [`Geometry::sheets`].
@@ -163,12 +156,7 @@ impl Geometry {
     pub fn hit_sheet(&self, index: usize, ray: &ExactRay, interval: Interval) -> Option<Hit> {
         let sheet = &self.sheets[index];
         let t = plane::intersect(ray, &sheet.plane)? as f32;
-        interval.contains(t).then_some(Hit {
-            t,
-            primitive: sheet.primitive,
-            u: 0.0,
-            v: 0.0,
-        })
+        interval.contains(t).then_some(Hit { t, primitive: sheet.primitive, u: 0.0, v: 0.0 })
     }
 
     /// Where a primitive is kept: its run and its position in the array of its kind.
@@ -185,17 +173,7 @@ impl Geometry {
 
 /// Tests one triangle; `primitive` is put into the hit as it is.
 #[inline]
-pub fn hit_triangle(
-    vertices: &[Vec3; 3],
-    primitive: u32,
-    ray: &ExactRay,
-    interval: Interval,
-) -> Option<Hit> {
+pub fn hit_triangle(vertices: &[Vec3; 3], primitive: u32, ray: &ExactRay, interval: Interval) -> Option<Hit> {
     let hit = triangle::intersect(ray, vertices)?;
-    interval.contains(hit.t).then_some(Hit {
-        t: hit.t,
-        primitive,
-        u: hit.u,
-        v: hit.v,
-    })
+    interval.contains(hit.t).then_some(Hit { t: hit.t, primitive, u: hit.u, v: hit.v })
 }

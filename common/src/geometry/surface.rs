@@ -31,12 +31,7 @@ impl Surface {
         let n = self.geometric_normal;
         let side = if n.dot(direction) < 0.0 { -n } else { n };
         // Twice the bound: once for the surface, once for the rounding of the start itself.
-        let away = 2.0
-            * sum3(
-                n.x.abs() * self.error.x,
-                n.y.abs() * self.error.y,
-                n.z.abs() * self.error.z,
-            );
+        let away = 2.0 * sum3(n.x.abs() * self.error.x, n.y.abs() * self.error.y, n.z.abs() * self.error.z);
         (self.point + side * away).as_vec3()
     }
 }
@@ -58,11 +53,7 @@ impl Geometry {
             RunKind::Sheet => {
                 let plane = &self.sheets[index].plane;
                 let point = plane::reproject(plane, ray.at(f64::from(hit.t)));
-                (
-                    point,
-                    plane.normal,
-                    point.abs().max_element() + plane.offset.abs(),
-                )
+                (point, plane.normal, point.abs().max_element() + plane.offset.abs())
             }
         };
         Surface {
@@ -79,11 +70,7 @@ impl Geometry {
         let [a, b, c] = vertices.map(|v| v.as_dvec3());
         let (u, v) = (f64::from(hit.u), f64::from(hit.v));
         let scale = a.abs().max(b.abs()).max(c.abs()).max_element();
-        (
-            a * (1.0 - u - v) + b * u + c * v,
-            triangle::normal(vertices),
-            scale,
-        )
+        (a * (1.0 - u - v) + b * u + c * v, triangle::normal(vertices), scale)
     }
 
     fn solid_point(&self, index: usize, near: DVec3) -> (DVec3, DVec3, f64) {

@@ -48,12 +48,7 @@ impl Affine {
         let translation = m.w_axis.truncate();
         let inverse = linear.inverse();
         let usable = linear.is_finite() && translation.is_finite() && inverse.is_finite();
-        usable.then(|| Self {
-            linear,
-            translation,
-            inverse,
-            kind: classify(&linear, translation),
-        })
+        usable.then(|| Self { linear, translation, inverse, kind: classify(&linear, translation) })
     }
 
     /// The image of a point.
@@ -94,9 +89,7 @@ fn classify(linear: &DMat3, translation: DVec3) -> AffineKind {
     let right = |v: f64| v.abs() <= square * 2f64.powi(-48);
     let similar = same(y.length_squared()) && same(z.length_squared());
     if similar && right(x.dot(y)) && right(y.dot(z)) && right(z.dot(x)) {
-        AffineKind::Similarity {
-            scale: square.sqrt(),
-        }
+        AffineKind::Similarity { scale: square.sqrt() }
     } else {
         AffineKind::General
     }
@@ -115,10 +108,7 @@ mod tests {
             Some(AffineKind::Similarity { scale }) => assert!((scale - 2.0).abs() < 1e-14),
             other => panic!("{other:?}"),
         }
-        assert_eq!(
-            of(DMat4::from_scale(DVec3::new(1.0, 2.0, 1.0))),
-            Some(AffineKind::General)
-        );
+        assert_eq!(of(DMat4::from_scale(DVec3::new(1.0, 2.0, 1.0))), Some(AffineKind::General));
         assert_eq!(of(DMat4::from_scale(DVec3::new(1.0, 0.0, 1.0))), None);
     }
 

@@ -13,34 +13,20 @@ pub struct Bounds {
 
 impl Bounds {
     /// The box of nothing: the neutral element of [`Bounds::union`].
-    pub const EMPTY: Self = Self {
-        min: Vec3::INFINITY,
-        max: Vec3::NEG_INFINITY,
-    };
+    pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
 
     /// The smallest box around some points.
     pub fn of_points(points: impl IntoIterator<Item = Vec3>) -> Self {
-        points.into_iter().fold(Self::EMPTY, |b, p| Self {
-            min: b.min.min(p),
-            max: b.max.max(p),
-        })
+        points.into_iter().fold(Self::EMPTY, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
     }
 
     /// The smallest `f32` box around a box given in `f64`: corners are rounded outward.
     pub fn enclosing(min: DVec3, max: DVec3) -> Self {
         let down = |x: f64| {
-            if f64::from(x as f32) > x {
-                (x as f32).next_down()
-            } else {
-                x as f32
-            }
+            if f64::from(x as f32) > x { (x as f32).next_down() } else { x as f32 }
         };
         let up = |x: f64| {
-            if f64::from(x as f32) < x {
-                (x as f32).next_up()
-            } else {
-                x as f32
-            }
+            if f64::from(x as f32) < x { (x as f32).next_up() } else { x as f32 }
         };
         Self {
             min: Vec3::new(down(min.x), down(min.y), down(min.z)),
@@ -50,10 +36,7 @@ impl Bounds {
 
     /// The smallest box around both.
     pub fn union(&self, other: &Self) -> Self {
-        Self {
-            min: self.min.min(other.min),
-            max: self.max.max(other.max),
-        }
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
     /// Whether there is no point in it.
@@ -74,23 +57,13 @@ impl Bounds {
     /// The eight corners, x varying fastest.
     pub fn corners(&self) -> [Vec3; 8] {
         let pick = |bit: bool, axis: usize| if bit { self.max[axis] } else { self.min[axis] };
-        std::array::from_fn(|i| {
-            Vec3::new(
-                pick(i & 1 != 0, 0),
-                pick(i & 2 != 0, 1),
-                pick(i & 4 != 0, 2),
-            )
-        })
+        std::array::from_fn(|i| Vec3::new(pick(i & 1 != 0, 0), pick(i & 2 != 0, 1), pick(i & 4 != 0, 2)))
     }
 
     /// The largest |p − from| along any axis, over all points p of the box; 0 when empty.
     pub fn reach_from(&self, from: Vec3) -> f32 {
         let far = (self.min - from).abs().max((self.max - from).abs());
-        if self.is_empty() {
-            0.0
-        } else {
-            far.max_element()
-        }
+        if self.is_empty() { 0.0 } else { far.max_element() }
     }
 }
 
@@ -103,10 +76,7 @@ mod tests {
         let flat = Bounds::of_points([Vec3::ZERO, Vec3::new(1.0, 0.0, 2.0)]);
         assert!(!flat.is_empty() && Bounds::EMPTY.is_empty());
         assert_eq!(flat.union(&Bounds::EMPTY), flat);
-        assert!(flat.overlaps(&Bounds {
-            min: Vec3::new(1.0, -1.0, 0.0),
-            max: Vec3::new(2.0, 0.0, 1.0)
-        }));
+        assert!(flat.overlaps(&Bounds { min: Vec3::new(1.0, -1.0, 0.0), max: Vec3::new(2.0, 0.0, 1.0) }));
     }
 
     #[test]

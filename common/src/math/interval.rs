@@ -11,15 +11,9 @@ pub struct Interval {
 
 impl Interval {
     /// Every t.
-    pub const ALL: Self = Self {
-        min: f32::NEG_INFINITY,
-        max: f32::INFINITY,
-    };
+    pub const ALL: Self = Self { min: f32::NEG_INFINITY, max: f32::INFINITY };
     /// In front of the origin.
-    pub const FORWARD: Self = Self {
-        min: 0.0,
-        max: f32::INFINITY,
-    };
+    pub const FORWARD: Self = Self { min: 0.0, max: f32::INFINITY };
 
     /// In front of the origin, up to but not including `max`.
     pub fn up_to(max: f32) -> Self {

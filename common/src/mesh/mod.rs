@@ -1,8 +1,10 @@
 //! Triangle meshes in their own space, and reading them.
 
+mod area;
 mod obj;
 
-pub use obj::{MeshError, read_obj};
+pub use area::has_area;
+pub use obj::{MeshError, parse_obj, read_obj};
 
 use crate::math::{Vec2, Vec3};
 
@@ -19,4 +21,15 @@ pub struct Mesh {
     pub uvs: Vec<Vec2>,
     /// How many triangles of the file had no area and were dropped.
     pub degenerate: usize,
+}
+
+impl Mesh {
+    /// Drops the triangles without area (see [`has_area`]) and counts them in `degenerate`.
+    fn drop_degenerate(&mut self) {
+        let before = self.triangles.len();
+        let positions = &self.positions;
+        self.triangles
+            .retain(|corners| has_area(corners.map(|i| positions[i as usize])));
+        self.degenerate += before - self.triangles.len();
+    }
 }

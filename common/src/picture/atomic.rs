@@ -25,9 +25,7 @@ pub fn target(path: &Path) -> io::Result<Target> {
         Ok(meta) if meta.is_dir() => Ok(Target::Folder),
         Ok(meta) if !meta.is_file() || is_descriptor(path) => Ok(Target::Stream),
         Ok(_) => fs::canonicalize(path).map(Target::File),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            follow_dangling(path).map(Target::File)
-        }
+        Err(error) if error.kind() == io::ErrorKind::NotFound => follow_dangling(path).map(Target::File),
         Err(error) => Err(error),
     }
 }

@@ -4,8 +4,7 @@ use super::{Film, Kind, MAX_PIXELS, Size, Transfer, pfm, quantise};
 use crate::math::Vec3;
 use image::codecs::{hdr, openexr, png, pnm, tga};
 use image::{
-    ColorType, DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageFormat,
-    ImageReader,
+    ColorType, DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageFormat, ImageReader,
 };
 use std::error::Error;
 use std::io::Cursor;
@@ -34,19 +33,12 @@ pub fn encode(kind: Kind, film: &Film, transfer: Transfer) -> Result<Vec<u8>, Co
     Ok(out)
 }
 
-fn encode_levels(
-    kind: Kind,
-    levels: &[u8],
-    size: Size,
-    out: &mut Vec<u8>,
-) -> Result<(), CodecError> {
+fn encode_levels(kind: Kind, levels: &[u8], size: Size, out: &mut Vec<u8>) -> Result<(), CodecError> {
     let color = ExtendedColorType::Rgb8;
     let (width, height) = (size.width(), size.height());
     match kind {
         // With run lengths off the header is the course's: 18 bytes, type 2, origin at the top.
-        Kind::Tga => tga::TgaEncoder::new(out)
-            .disable_rle()
-            .encode(levels, width, height, color)?,
+        Kind::Tga => tga::TgaEncoder::new(out).disable_rle().encode(levels, width, height, color)?,
         Kind::Ppm => pnm::PnmEncoder::new(out)
             .with_subtype(pnm::PnmSubtype::Pixmap(pnm::SampleEncoding::Binary))
             .write_image(levels, width, height, color)?,
@@ -88,12 +80,7 @@ pub fn decode(kind: Kind, bytes: &[u8], transfer: Transfer) -> Result<Film, Code
     limits.max_alloc = Some(2 * MAX_PIXELS * u64::from(decoder.color_type().bytes_per_pixel()));
     decoder.set_limits(limits)?;
     let color = decoder.color_type();
-    Ok(film_of(
-        size,
-        color,
-        DynamicImage::from_decoder(decoder)?,
-        transfer,
-    ))
+    Ok(film_of(size, color, DynamicImage::from_decoder(decoder)?, transfer))
 }
 
 fn format(kind: Kind) -> ImageFormat {

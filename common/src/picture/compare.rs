@@ -66,12 +66,7 @@ pub fn compare(
             differing += usize::from(difference > tolerance);
             squares += squared_difference(expected, actual);
             if difference > worst.map_or(0, |pixel| pixel.difference()) {
-                worst = Some(WorstPixel {
-                    x,
-                    y,
-                    expected,
-                    actual,
-                });
+                worst = Some(WorstPixel { x, y, expected, actual });
             }
         }
     }
@@ -122,10 +117,7 @@ fn common_size(expected: &Film, actual: &Film) -> Result<Size, PictureError> {
     if expected.size() == actual.size() {
         return Ok(expected.size());
     }
-    Err(PictureError::SizesDiffer {
-        expected: expected.size(),
-        actual: actual.size(),
-    })
+    Err(PictureError::SizesDiffer { expected: expected.size(), actual: actual.size() })
 }
 
 fn largest_difference(a: [u8; 3], b: [u8; 3]) -> u8 {
@@ -172,15 +164,9 @@ mod tests {
     #[test]
     fn equal_levels_are_equal_even_when_the_light_differs() {
         let size = Size::new(2, 2).unwrap();
-        let (dim, also_dim) = (
-            Film::filled(size, grey(7)),
-            Film::filled(size, grey(7) * 1.0001),
-        );
+        let (dim, also_dim) = (Film::filled(size, grey(7)), Film::filled(size, grey(7) * 1.0001));
         let result = compare(&dim, &also_dim, Transfer::Linear, 0).unwrap();
-        assert_eq!(
-            (result.worst, result.rmse, result.differing),
-            (None, 0.0, 0)
-        );
+        assert_eq!((result.worst, result.rmse, result.differing), (None, 0.0, 0));
     }
 
     #[test]

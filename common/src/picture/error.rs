@@ -40,9 +40,7 @@ pub enum PictureError {
         source: io::Error,
     },
     /// The format cannot hold a picture of this size.
-    #[error(
-        "a picture of {size} pixels does not fit a .{suffix} file, whose sides end at {longest}"
-    )]
+    #[error("a picture of {size} pixels does not fit a .{suffix} file, whose sides end at {longest}")]
     SideTooLong {
         /// The size asked for.
         size: Size,
@@ -98,11 +96,7 @@ impl PictureError {
         } else {
             format!("'.{suffix}' is no kind of picture that can be used here")
         };
-        Self::UnknownSuffix {
-            path: path.to_owned(),
-            problem,
-            hint: hint(suffix),
-        }
+        Self::UnknownSuffix { path: path.to_owned(), problem, hint: hint(suffix) }
     }
 }
 
@@ -119,7 +113,5 @@ fn hint(suffix: &str) -> String {
 }
 
 fn known_suffixes() -> String {
-    Kind::ALL
-        .map(|kind| format!(".{}", kind.suffix()))
-        .join(" ")
+    Kind::ALL.map(|kind| format!(".{}", kind.suffix())).join(" ")
 }

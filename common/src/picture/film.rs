@@ -19,10 +19,7 @@ impl Film {
 
     /// A film of one colour.
     pub fn filled(size: Size, color: Vec3) -> Self {
-        Self {
-            size,
-            pixels: vec![color; size.pixels()],
-        }
+        Self { size, pixels: vec![color; size.pixels()] }
     }
 
     /// A film whose pixel (x, y) is `color(x, y)`.
@@ -118,9 +115,7 @@ mod tests {
 
     #[test]
     fn from_fn_visits_every_pixel_with_its_own_position() {
-        let film = Film::from_fn(Size::new(4, 3).unwrap(), |x, y| {
-            Vec3::new(x as f32, y as f32, 0.0)
-        });
+        let film = Film::from_fn(Size::new(4, 3).unwrap(), |x, y| Vec3::new(x as f32, y as f32, 0.0));
         assert_eq!(film.get(3, 2), Vec3::new(3.0, 2.0, 0.0));
         assert_eq!(film.get(0, 1), Vec3::new(0.0, 1.0, 0.0));
     }

@@ -10,7 +10,7 @@ pub enum Kind {
     Tga,
     /// Portable network graphics, 8 bits.
     Png,
-    /// Portable pixmap, binary, 8 bits.
+    /// Portable pixmap, written as binary, 8 bits.
     Ppm,
     /// Portable float map: 32-bit floats, uncompressed.
     Pfm,
@@ -22,14 +22,7 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind, in the order in which error texts list them.
-    pub const ALL: [Self; 6] = [
-        Self::Tga,
-        Self::Png,
-        Self::Ppm,
-        Self::Pfm,
-        Self::Exr,
-        Self::Hdr,
-    ];
+    pub const ALL: [Self; 6] = [Self::Tga, Self::Png, Self::Ppm, Self::Pfm, Self::Exr, Self::Hdr];
 
     /// The usual suffix, without the dot.
     pub fn suffix(self) -> &'static str {
@@ -55,21 +48,23 @@ impl Kind {
             .ok_or_else(|| PictureError::unknown_suffix(path, &suffix))
     }
 
-    /// The kind that a file's first bytes give away. TGA has no mark to know it by.
+    /// The kind that a file's first bytes give away. TGA has no mark to know it by; the grey and
+    /// black-and-white relatives of PPM are taken for it.
     pub fn of_content(bytes: &[u8]) -> Option<Self> {
-        const MARKS: [(&[u8], Kind); 7] = [
+        const MARKS: [(&[u8], Kind); 11] = [
             (b"\x89PNG\r\n\x1a\n", Kind::Png),
-            (b"P6", Kind::Ppm),
+            (b"P1", Kind::Ppm),
+            (b"P2", Kind::Ppm),
             (b"P3", Kind::Ppm),
+            (b"P4", Kind::Ppm),
+            (b"P5", Kind::Ppm),
+            (b"P6", Kind::Ppm),
             (b"PF", Kind::Pfm),
             (b"Pf", Kind::Pfm),
             (b"\x76\x2f\x31\x01", Kind::Exr),
             (b"#?", Kind::Hdr),
         ];
-        MARKS
-            .into_iter()
-            .find(|(mark, _)| bytes.starts_with(mark))
-            .map(|(_, kind)| kind)
+        MARKS.into_iter().find(|(mark, _)| bytes.starts_with(mark)).map(|(_, kind)| kind)
     }
 
     /// Whether files of this kind hold linear light rather than 8-bit levels.
@@ -90,10 +85,6 @@ impl Kind {
         if size.width().max(size.height()) <= self.longest_side() {
             return Ok(());
         }
-        Err(PictureError::SideTooLong {
-            size,
-            suffix: self.suffix(),
-            longest: self.longest_side(),
-        })
+        Err(PictureError::SideTooLong { size, suffix: self.suffix(), longest: self.longest_side() })
     }
 }

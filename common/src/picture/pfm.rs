@@ -70,34 +70,22 @@ impl Header {
     }
 
     fn float(&self, bytes: [u8; 4]) -> f32 {
-        if self.little_endian {
-            f32::from_le_bytes(bytes)
-        } else {
-            f32::from_be_bytes(bytes)
-        }
+        if self.little_endian { f32::from_le_bytes(bytes) } else { f32::from_be_bytes(bytes) }
     }
 }
 
 /// The next word, and what follows the one white space after it.
 fn word(bytes: &[u8]) -> Result<(&str, &[u8]), String> {
-    let start = bytes
-        .iter()
-        .position(|b| !b.is_ascii_whitespace())
-        .unwrap_or(bytes.len());
+    let start = bytes.iter().position(|b| !b.is_ascii_whitespace()).unwrap_or(bytes.len());
     let bytes = &bytes[start..];
-    let end = bytes
-        .iter()
-        .position(u8::is_ascii_whitespace)
-        .ok_or("the header ends too early")?;
+    let end = bytes.iter().position(u8::is_ascii_whitespace).ok_or("the header ends too early")?;
     let word = std::str::from_utf8(&bytes[..end]).map_err(|_| "the header is not text")?;
     Ok((word, &bytes[end + 1..]))
 }
 
 fn number<'a, T: std::str::FromStr>(bytes: &'a [u8], what: &str) -> Result<(T, &'a [u8]), String> {
     let (text, rest) = word(bytes)?;
-    let value = text
-        .parse()
-        .map_err(|_| format!("the {what} in the header is not a number: '{text}'"))?;
+    let value = text.parse().map_err(|_| format!("the {what} in the header is not a number: '{text}'"))?;
     Ok((value, rest))
 }
 

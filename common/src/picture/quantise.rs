@@ -53,20 +53,12 @@ pub fn levels_from_top(film: &Film, transfer: Transfer) -> Vec<u8> {
 
 /// IEC 61966-2-1, encoding. Negative light stays on the straight part of the curve.
 fn srgb_from_linear(c: f32) -> f32 {
-    if c > 0.003_130_8 {
-        1.055 * c.powf(1.0 / 2.4) - 0.055
-    } else {
-        12.92 * c
-    }
+    if c > 0.003_130_8 { 1.055 * c.powf(1.0 / 2.4) - 0.055 } else { 12.92 * c }
 }
 
 /// IEC 61966-2-1, decoding.
 fn linear_from_srgb(c: f32) -> f32 {
-    if c > 0.040_45 {
-        ((c + 0.055) / 1.055).powf(2.4)
-    } else {
-        c / 12.92
-    }
+    if c > 0.040_45 { ((c + 0.055) / 1.055).powf(2.4) } else { c / 12.92 }
 }
 
 #[cfg(test)]
@@ -97,11 +89,7 @@ mod tests {
     #[test]
     fn srgb_rounds_the_standard_curve() {
         let exact = |c: f64| {
-            let s = if c > 0.003_130_8 {
-                1.055 * c.powf(1.0 / 2.4) - 0.055
-            } else {
-                12.92 * c
-            };
+            let s = if c > 0.003_130_8 { 1.055 * c.powf(1.0 / 2.4) - 0.055 } else { 12.92 * c };
             (s * 255.0).round() as u8
         };
         for i in 0..=10_000 {

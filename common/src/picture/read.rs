@@ -15,10 +15,7 @@ const LONGEST_FILE: u64 = 4 << 30;
 /// # Errors
 /// [`PictureError`] naming the file and what is wrong.
 pub fn read(path: &Path, transfer: Transfer) -> Result<Film, PictureError> {
-    let bytes = read_bytes(path).map_err(|source| PictureError::Read {
-        path: path.to_owned(),
-        source,
-    })?;
+    let bytes = read_bytes(path).map_err(|source| PictureError::Read { path: path.to_owned(), source })?;
     let kind = match Kind::of_content(&bytes) {
         Some(kind) => kind,
         None => Kind::of_path(path)?,
@@ -32,9 +29,7 @@ pub fn read(path: &Path, transfer: Transfer) -> Result<Film, PictureError> {
 
 fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let read = File::open(path)?
-        .take(LONGEST_FILE + 1)
-        .read_to_end(&mut bytes)?;
+    let read = File::open(path)?.take(LONGEST_FILE + 1).read_to_end(&mut bytes)?;
     if read as u64 > LONGEST_FILE {
         return Err(io::Error::other("the file is longer than 4 GiB"));
     }

@@ -46,10 +46,7 @@ impl Size {
             return Err(SizeError::Empty { width, height });
         }
         match (u32::try_from(width), u32::try_from(height)) {
-            (Ok(w), Ok(h)) if u64::from(w) * u64::from(h) <= MAX_PIXELS => Ok(Self {
-                width: w,
-                height: h,
-            }),
+            (Ok(w), Ok(h)) if u64::from(w) * u64::from(h) <= MAX_PIXELS => Ok(Self { width: w, height: h }),
             _ => Err(SizeError::TooLarge { width, height }),
         }
     }
@@ -83,29 +80,16 @@ mod tests {
     #[test]
     fn sides_below_one_are_refused() {
         for (width, height) in [(0, 5), (5, 0), (-5, 5), (5, i64::MIN)] {
-            assert_eq!(
-                Size::new(width, height),
-                Err(SizeError::Empty { width, height })
-            );
+            assert_eq!(Size::new(width, height), Err(SizeError::Empty { width, height }));
         }
     }
 
     #[test]
     fn the_limit_is_on_the_product_and_cannot_overflow() {
-        assert_eq!(
-            Size::new(16_384, 16_384).unwrap().pixels() as u64,
-            MAX_PIXELS
-        );
+        assert_eq!(Size::new(16_384, 16_384).unwrap().pixels() as u64, MAX_PIXELS);
         assert_eq!(Size::new(1, 1 << 28).unwrap().pixels() as u64, MAX_PIXELS);
-        for (width, height) in [
-            (16_384, 16_385),
-            (1_000_000_000_000, 1),
-            (i64::MAX, i64::MAX),
-        ] {
-            assert_eq!(
-                Size::new(width, height),
-                Err(SizeError::TooLarge { width, height })
-            );
+        for (width, height) in [(16_384, 16_385), (1_000_000_000_000, 1), (i64::MAX, i64::MAX)] {
+            assert_eq!(Size::new(width, height), Err(SizeError::TooLarge { width, height }));
         }
     }
 }

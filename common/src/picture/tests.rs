@@ -74,9 +74,8 @@ fn ppm_bytes() {
 
 #[test]
 fn float_kinds_keep_their_precision() {
-    let film = Film::from_fn(size(9, 5), |x, y| {
-        Vec3::new(x as f32 * 1e-4, 3.0 + y as f32, 1e5 / (1.0 + x as f32))
-    });
+    let film =
+        Film::from_fn(size(9, 5), |x, y| Vec3::new(x as f32 * 1e-4, 3.0 + y as f32, 1e5 / (1.0 + x as f32)));
     let folder = Folder::new();
     for (name, tolerance) in [("a.exr", 0.0), ("a.pfm", 0.0), ("a.HDR", 1.0 / 128.0)] {
         write(&folder.path(name), &film, Transfer::Srgb).unwrap();
@@ -90,17 +89,7 @@ fn float_kinds_keep_their_precision() {
 
 #[test]
 fn every_float_value_can_be_written() {
-    let odd = [
-        f32::NAN,
-        f32::INFINITY,
-        f32::NEG_INFINITY,
-        -1.0,
-        f32::MAX,
-        1e-40,
-        0.0,
-        1.0,
-        1e30,
-    ];
+    let odd = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -1.0, f32::MAX, 1e-40, 0.0, 1.0, 1e30];
     let film = Film::from_fn(size(9, 1), |x, _| Vec3::splat(odd[x as usize]));
     let folder = Folder::new();
     for kind in Kind::ALL {
@@ -109,12 +98,7 @@ fn every_float_value_can_be_written() {
         let back = read(&path, Transfer::Srgb).unwrap();
         assert_eq!(back.size(), film.size());
         if matches!(kind, Kind::Exr | Kind::Pfm) {
-            let bits = |film: &Film| {
-                film.pixels()
-                    .iter()
-                    .map(|c| c.x.to_bits())
-                    .collect::<Vec<_>>()
-            };
+            let bits = |film: &Film| film.pixels().iter().map(|c| c.x.to_bits()).collect::<Vec<_>>();
             assert_eq!(bits(&back), bits(&film), "{kind:?}");
         }
         if kind == Kind::Hdr {
@@ -153,9 +137,7 @@ proptest! {
 
 #[test]
 fn damaged_files_are_errors_that_name_them() {
-    let film = Film::from_fn(size(20, 10), |x, y| {
-        Vec3::new(x as f32, y as f32, 3.0) / 20.0
-    });
+    let film = Film::from_fn(size(20, 10), |x, y| Vec3::new(x as f32, y as f32, 3.0) / 20.0);
     let folder = Folder::new();
     for kind in Kind::ALL {
         let path = folder.path(&format!("a.{}", kind.suffix()));
@@ -170,10 +152,7 @@ fn damaged_files_are_errors_that_name_them() {
             }
         }
         fs::write(&path, &bytes[..bytes.len() / 2]).unwrap();
-        assert!(
-            read(&path, Transfer::Linear).is_err(),
-            "{kind:?} cut in half"
-        );
+        assert!(read(&path, Transfer::Linear).is_err(), "{kind:?} cut in half");
     }
 }
 
@@ -184,32 +163,21 @@ fn the_content_tells_the_kind_before_the_suffix_does() {
     fs::rename(folder.path("a.png"), folder.path("really_a_png.tga")).unwrap();
     let back = read(&folder.path("really_a_png.tga"), Transfer::Linear).unwrap();
     assert_eq!(Transfer::Linear.levels(back.get(0, 0)), [255, 0, 0]);
+    fs::write(folder.path("grey.anything"), "P2 2 1 255 7 200").unwrap();
+    let back = read(&folder.path("grey.anything"), Transfer::Linear).unwrap();
+    assert_eq!(Transfer::Linear.levels(back.get(1, 0)), [200; 3]);
 }
 
 #[test]
 fn unknown_suffixes_list_the_known_and_the_nearest() {
-    for (name, nearest) in [
-        ("a.tgaa", ".tga"),
-        ("a.TAG", ".tga"),
-        ("a.ong", ".png"),
-        ("a.exe", ".exr"),
-    ] {
-        let text = check_output(Path::new(name), size(1, 1))
-            .unwrap_err()
-            .to_string();
+    for (name, nearest) in [("a.tgaa", ".tga"), ("a.TAG", ".tga"), ("a.ong", ".png"), ("a.exe", ".exr")] {
+        let text = check_output(Path::new(name), size(1, 1)).unwrap_err().to_string();
         assert!(text.contains(".tga .png .ppm .pfm .exr .hdr"), "{text}");
-        assert!(
-            text.ends_with(&format!("did you mean {nearest}?")),
-            "{text}"
-        );
+        assert!(text.ends_with(&format!("did you mean {nearest}?")), "{text}");
     }
-    let text = check_output(Path::new("picture"), size(1, 1))
-        .unwrap_err()
-        .to_string();
+    let text = check_output(Path::new("picture"), size(1, 1)).unwrap_err().to_string();
     assert!(text.contains("needs a suffix"), "{text}");
-    let text = check_output(Path::new("a.jpeg2000"), size(1, 1))
-        .unwrap_err()
-        .to_string();
+    let text = check_output(Path::new("a.jpeg2000"), size(1, 1)).unwrap_err().to_string();
     assert!(!text.contains("did you mean"), "{text}");
 }
 
@@ -243,10 +211,7 @@ fn sides_too_long_for_the_format_are_found_early() {
     let long = size(65_536, 1);
     assert!(matches!(
         check_output(&folder.path("a.tga"), long),
-        Err(PictureError::SideTooLong {
-            longest: 65_535,
-            ..
-        })
+        Err(PictureError::SideTooLong { longest: 65_535, .. })
     ));
     check_output(&folder.path("a.png"), long).unwrap();
     check_output(&folder.path("a.tga"), size(65_535, 1)).unwrap();
@@ -276,10 +241,7 @@ mod on_unix {
         let folder = Folder::new();
         fs::write(folder.path("ordinary"), "").unwrap();
         write(&folder.path("new.tga"), &corners(), Transfer::Linear).unwrap();
-        assert_eq!(
-            mode(&folder.path("new.tga")),
-            mode(&folder.path("ordinary"))
-        );
+        assert_eq!(mode(&folder.path("new.tga")), mode(&folder.path("ordinary")));
         fs::set_permissions(folder.path("new.tga"), fs::Permissions::from_mode(0o640)).unwrap();
         write(&folder.path("new.tga"), &corners(), Transfer::Linear).unwrap();
         assert_eq!(mode(&folder.path("new.tga")), 0o640);
@@ -295,11 +257,7 @@ mod on_unix {
         for name in ["link.tga", "dangling.tga"] {
             check_output(&folder.path(name), size(2, 2)).unwrap();
             write(&folder.path(name), &corners(), Transfer::Linear).unwrap();
-            assert!(
-                fs::symlink_metadata(folder.path(name))
-                    .unwrap()
-                    .is_symlink()
-            );
+            assert!(fs::symlink_metadata(folder.path(name)).unwrap().is_symlink());
         }
         for name in ["sub/real.tga", "sub/new.tga"] {
             assert_eq!(fs::read(folder.path(name)).unwrap().len(), 18 + 12);

@@ -31,10 +31,8 @@ pub fn check_output(path: &Path, size: Size) -> Result<(), PictureError> {
 pub fn write(path: &Path, film: &Film, transfer: Transfer) -> Result<(), PictureError> {
     let kind = output_kind(path, &target(path)?)?;
     kind.check_size(film.size())?;
-    let bytes = codec::encode(kind, film, transfer).map_err(|source| PictureError::Encode {
-        path: path.to_owned(),
-        source,
-    })?;
+    let bytes = codec::encode(kind, film, transfer)
+        .map_err(|source| PictureError::Encode { path: path.to_owned(), source })?;
     atomic::replace(path, &bytes).map_err(|source| cannot_write(path, source))
 }
 
@@ -54,23 +52,15 @@ fn output_kind(path: &Path, target: &Target) -> Result<Kind, PictureError> {
 fn check_file(path: &Path, real: &Path) -> Result<(), PictureError> {
     let folder = atomic::folder_of(real);
     if !folder.is_dir() {
-        return Err(PictureError::NoFolder {
-            path: path.to_owned(),
-            folder: folder.to_owned(),
-        });
+        return Err(PictureError::NoFolder { path: path.to_owned(), folder: folder.to_owned() });
     }
     if fs::metadata(real).is_ok_and(|meta| meta.permissions().readonly()) {
         return Err(PictureError::ReadOnly(path.to_owned()));
     }
     // Trying is the only test that knows about owners, quotas and read-only media.
-    atomic::temporary_in(folder)
-        .map(drop)
-        .map_err(|source| cannot_write(path, source))
+    atomic::temporary_in(folder).map(drop).map_err(|source| cannot_write(path, source))
 }
 
 fn cannot_write(path: &Path, source: std::io::Error) -> PictureError {
-    PictureError::Write {
-        path: path.to_owned(),
-        source,
-    }
+    PictureError::Write { path: path.to_owned(), source }
 }

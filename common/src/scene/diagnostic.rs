@@ -11,7 +11,8 @@
 
 use super::Position;
 use super::excerpt::Excerpt;
-use super::lexer::{Span, position_of};
+use super::lexer::Span;
+use super::line_counter::position_of;
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
 /// An error in a scene file. `Display` gives the whole report: the message, the file, line and

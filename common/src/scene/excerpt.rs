@@ -3,12 +3,15 @@
 //! Only the lines of interest are copied, and of a long line only the part around the span, so
 //! that an error in a file of one 100 MB line prints a line of terminal width.
 
-use super::lexer::{Span, bom_length, position_of};
+use super::lexer::Span;
+use super::line_counter::{bom_length, position_of};
 use std::ops::Range;
 
-/// Characters shown before the marked place of a long line.
+/// A line of no more bytes than this is shown whole.
+const SHORT: usize = 120;
+/// Characters shown before the marked place of a longer line.
 const BEFORE: usize = 60;
-/// Characters shown from the start of the marked place on.
+/// Characters shown of it from the start of the marked place on.
 const AFTER: usize = 60;
 /// Two places at most this many lines apart are shown in one excerpt.
 const TOGETHER: usize = 200;
@@ -138,8 +141,13 @@ struct Clip {
 impl Clip {
     fn new(text: &str, span: Span) -> Self {
         let line = line_bounds(text, span.start);
-        let start = back(text, line.start, span.start);
-        let end = forward(text, span.start, line.end);
+        let (start, end) = match line.len() <= SHORT {
+            true => (line.start, line.end),
+            false => (
+                back(text, line.start, span.start),
+                forward(text, span.start, line.end),
+            ),
+        };
         Self {
             cut_before: start > line.start,
             cut_after: end < line.end,

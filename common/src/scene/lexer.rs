@@ -10,6 +10,7 @@
 //! Tokens borrow from the text; each byte is looked at a fixed number of times.
 
 use super::Position;
+use super::line_counter::{LineCounter, bom_length, position_of};
 use std::ops::Range;
 
 /// What a token is.
@@ -43,10 +44,7 @@ pub(super) struct Span {
 
 impl From<Range<usize>> for Span {
     fn from(range: Range<usize>) -> Self {
-        Self {
-            start: range.start,
-            end: range.end,
-        }
+        Self { start: range.start, end: range.end }
     }
 }
 
@@ -63,11 +61,7 @@ impl<'a> Lexer<'a> {
     /// Starts behind the byte-order mark, if there is one.
     pub fn new(text: &'a str) -> Self {
         let offset = bom_length(text);
-        Self {
-            text,
-            offset,
-            counted: LineCounter::starting_at(offset),
-        }
+        Self { text, offset, counted: LineCounter::starting_at(offset) }
     }
 
     /// The next token; [`TokenKind::End`] again and again at the end.
@@ -102,16 +96,11 @@ impl<'a> Lexer<'a> {
     }
 
     fn quoted_name(&mut self, rest: &'a str) -> Result<Token<'a>, Token<'a>> {
-        let stop = rest[1..]
-            .bytes()
-            .position(|b| matches!(b, b'"' | b'\n' | b'\r'));
+        let stop = rest[1..].bytes().position(|b| matches!(b, b'"' | b'\n' | b'\r'));
         match stop.map(|index| (index, rest.as_bytes()[index + 1])) {
             Some((index, b'"')) => {
                 let token = self.take(TokenKind::Word, index + 2);
-                Ok(Token {
-                    text: &rest[1..=index],
-                    ..token
-                })
+                Ok(Token { text: &rest[1..=index], ..token })
             }
             other => {
                 let length = other.map_or(rest.len(), |(index, _)| index + 1);
@@ -124,12 +113,7 @@ impl<'a> Lexer<'a> {
         let span = Span::from(self.offset..self.offset + length);
         let position = self.counted.advance(self.text, span.start);
         self.offset = span.end;
-        Token {
-            kind,
-            text: &self.text[span.start..span.end],
-            span,
-            position,
-        }
+        Token { kind, text: &self.text[span.start..span.end], span, position }
     }
 
     /// The end is reported just behind the last thing written, not on the empty lines after it.
@@ -160,16 +144,6 @@ impl<'a> Lexer<'a> {
     }
 }
 
-/// Line and column of a byte offset, counted from the start of the text.
-pub(super) fn position_of(text: &str, offset: usize) -> Position {
-    LineCounter::starting_at(bom_length(text)).advance(text, offset)
-}
-
-/// Length of the byte-order mark at the start of the text: 3 or 0.
-pub(super) fn bom_length(text: &str) -> usize {
-    if text.starts_with('\u{feff}') { 3 } else { 0 }
-}
-
 /// White space as C's `isspace` has it.
 fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t'..=b'\r')
@@ -182,47 +156,8 @@ fn starts_comment(bytes: &[u8]) -> bool {
 fn word_length(rest: &str) -> usize {
     let bytes = rest.as_bytes();
     (0..bytes.len())
-        .find(|&i| {
-            is_blank(bytes[i]) || matches!(bytes[i], b'{' | b'}') || starts_comment(&bytes[i..])
-        })
+        .find(|&i| is_blank(bytes[i]) || matches!(bytes[i], b'{' | b'}') || starts_comment(&bytes[i..]))
         .unwrap_or(bytes.len())
-}
-
-/// Counts lines (ended by LF, CR LF or CR) and characters, always forwards, so that a file of
-/// one very long line costs no more than any other.
-struct LineCounter {
-    offset: usize,
-    at: Position,
-}
-
-impl LineCounter {
-    fn starting_at(offset: usize) -> Self {
-        Self {
-            offset,
-            at: Position { line: 1, column: 1 },
-        }
-    }
-
-    fn advance(&mut self, text: &str, target: usize) -> Position {
-        let bytes = text.as_bytes();
-        while self.offset < target {
-            let byte = bytes[self.offset];
-            self.offset += 1;
-            let followed_by_lf = bytes.get(self.offset) == Some(&b'\n');
-            if byte == b'\n' || (byte == b'\r' && !followed_by_lf) {
-                self.at.line += 1;
-                self.at.column = 1;
-            } else if !is_continuation(byte) {
-                self.at.column += 1;
-            }
-        }
-        self.at
-    }
-}
-
-/// Is this a second or later byte of a UTF-8 character?
-fn is_continuation(byte: u8) -> bool {
-    byte & 0b1100_0000 == 0b1000_0000
 }
 
 #[cfg(test)]
@@ -233,11 +168,7 @@ mod tests {
         let mut lexer = Lexer::new(text);
         std::iter::from_fn(|| {
             let token = lexer.next();
-            (token.kind != TokenKind::End).then_some((
-                token.text,
-                token.position.line,
-                token.position.column,
-            ))
+            (token.kind != TokenKind::End).then_some((token.text, token.position.line, token.position.column))
         })
         .collect()
     }
@@ -272,8 +203,7 @@ mod tests {
     #[test]
     fn the_end_is_behind_the_last_thing_written() {
         let mut lexer = Lexer::new("ab c\n\n");
-        (lexer.next(), lexer.next());
-        let end = lexer.next();
+        let end = [lexer.next(), lexer.next(), lexer.next()][2];
         assert_eq!(end.kind, TokenKind::End);
         assert_eq!((end.position.line, end.position.column), (1, 5));
         assert_eq!(end.span, Span::from(4..4));

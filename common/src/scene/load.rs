@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Largest scene file that is read, in bytes: a thousand times what any person writes.
-pub const MOST_BYTES: u64 = 256 << 20;
+const MOST_BYTES: u64 = 256 << 20;
 
 /// Where meshes and pictures come from while a scene is parsed: the file system, or a test's
 /// table.
@@ -36,7 +36,7 @@ pub trait MeshSource {
 /// whatever names the scene mentions it.
 ///
 /// # Errors
-/// If the file cannot be read, is larger than [`MOST_BYTES`], is not UTF-8 or not a scene, or
+/// If the file cannot be read, is larger than 256 MiB, is not UTF-8 or not a scene, or
 /// if a mesh it names cannot be read or a picture it names is not there.
 pub fn load(path: &Path) -> Result<Scene, SceneError> {
     let name = path.display().to_string();
@@ -78,10 +78,7 @@ fn unreadable(path: &Path, error: &io::Error) -> SceneError {
         }
         io::ErrorKind::IsADirectory => "this is a folder, not a scene file".to_owned(),
         io::ErrorKind::FileTooLarge => {
-            format!(
-                "this file is larger than {} MiB; is it a scene?",
-                MOST_BYTES >> 20
-            )
+            format!("this file is larger than {} MiB; is it a scene?", MOST_BYTES >> 20)
         }
         _ => format!("cannot read the scene file: {error}"),
     };
@@ -94,10 +91,8 @@ fn similar_name(missing: &Path) -> Option<String> {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let names: Vec<String> = fs::read_dir(folder)
-        .ok()?
-        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
-        .collect();
+    let names: Vec<String> =
+        fs::read_dir(folder).ok()?.filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect();
     let wanted = missing.file_name()?.to_str()?;
     let best = nearest(wanted, names.iter().map(String::as_str))?;
     Some(missing.with_file_name(best).display().to_string())
@@ -145,6 +140,7 @@ impl Folder {
         let suggestion = similar_name(&beside_scene)
             .map(|name| format!("; did you mean `{name}`?"))
             .unwrap_or_default();
+        let name = name.escape_debug();
         Err(format!(
             "there is no file `{name}` beside the scene or in the working directory{suggestion}"
         ))

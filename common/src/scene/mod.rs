@@ -13,6 +13,7 @@ mod diagnostic;
 mod excerpt;
 mod lexer;
 mod light;
+mod line_counter;
 mod load;
 mod material;
 mod node;

@@ -92,9 +92,7 @@ impl Xform {
         match *self {
             Self::Scale(s) => DMat4::from_scale(s),
             Self::Translate(t) => DMat4::from_translation(t),
-            Self::Rotate(axis, degrees) => {
-                DMat4::from_axis_angle(axis.normalize(), degrees.to_radians())
-            }
+            Self::Rotate(axis, degrees) => DMat4::from_axis_angle(axis.normalize(), degrees.to_radians()),
             Self::Matrix(m) => m,
         }
     }

@@ -36,10 +36,7 @@ impl Ellipsoid {
     /// there, both in the space of the ray.
     pub fn surface(&self, p: DVec3) -> (DVec3, DVec3) {
         let inside = sphere::reproject(&self.sphere, self.to_world.inverse_point(p));
-        let normal = self
-            .to_world
-            .normal(inside - self.sphere.center)
-            .normalize_or_zero();
+        let normal = self.to_world.normal(inside - self.sphere.center).normalize_or_zero();
         (self.to_world.point(inside), normal)
     }
 
@@ -47,11 +44,7 @@ impl Ellipsoid {
     /// each row of the linear part, times the radius.
     pub fn half_extent(&self) -> DVec3 {
         let rows = self.to_world.linear.transpose();
-        DVec3::new(
-            rows.x_axis.length(),
-            rows.y_axis.length(),
-            rows.z_axis.length(),
-        ) * self.sphere.radius
+        DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length()) * self.sphere.radius
     }
 
     /// Where its centre lies in the space of the ray.
@@ -69,13 +62,7 @@ mod tests {
     #[test]
     fn squashed_sphere() {
         let to_world = Affine::from_matrix(&DMat4::from_scale(DVec3::new(1.0, 0.25, 1.0))).unwrap();
-        let e = Ellipsoid {
-            sphere: Sphere {
-                center: DVec3::ZERO,
-                radius: 1.0,
-            },
-            to_world,
-        };
+        let e = Ellipsoid { sphere: Sphere { center: DVec3::ZERO, radius: 1.0 }, to_world };
         let down = ExactRay::new(&Ray::new(Vec3::Y * 3.0, -Vec3::Y * 0.5));
         assert_eq!(e.intersect(&down), Some([5.5, 6.5]));
         let (p, n) = e.surface(DVec3::new(0.0, 0.2500001, 0.0));

@@ -43,11 +43,7 @@ mod tests {
     use crate::math::Vec3;
     use crate::ray::Ray;
 
-    const FLOOR: Plane = Plane {
-        normal: DVec3::Y,
-        offset: -2.0,
-        disc: None,
-    };
+    const FLOOR: Plane = Plane { normal: DVec3::Y, offset: -2.0, disc: None };
 
     fn hit(o: Vec3, d: Vec3, plane: &Plane) -> Option<f64> {
         intersect(&ExactRay::new(&Ray::new(o, d)), plane)
@@ -57,23 +53,13 @@ mod tests {
     fn down_along_and_almost_along() {
         assert_eq!(hit(Vec3::ZERO, -Vec3::Y, &FLOOR), Some(2.0));
         assert_eq!(hit(Vec3::ZERO, Vec3::X, &FLOOR), None);
-        assert_eq!(
-            hit(Vec3::Y * -2.0, Vec3::X, &FLOOR),
-            None,
-            "a ray inside the plane does not cross it"
-        );
-        assert_eq!(
-            hit(Vec3::ZERO, Vec3::new(1.0, -1e-30, 0.0), &FLOOR).map(|t| t as f32),
-            Some(2e30)
-        );
+        assert_eq!(hit(Vec3::Y * -2.0, Vec3::X, &FLOOR), None, "a ray inside the plane does not cross it");
+        assert_eq!(hit(Vec3::ZERO, Vec3::new(1.0, -1e-30, 0.0), &FLOOR).map(|t| t as f32), Some(2e30));
     }
 
     #[test]
     fn disc_ends_at_its_rim() {
-        let disc = Plane {
-            disc: Some((DVec3::new(0.0, -2.0, 0.0), 1.0)),
-            ..FLOOR
-        };
+        let disc = Plane { disc: Some((DVec3::new(0.0, -2.0, 0.0), 1.0)), ..FLOOR };
         assert!(hit(Vec3::X, -Vec3::Y, &disc).is_some());
         assert!(hit(Vec3::X * 1.0001, -Vec3::Y, &disc).is_none());
     }

@@ -54,18 +54,9 @@ mod tests {
 
     #[test]
     fn axis_ray_and_far_ray() {
-        assert_eq!(
-            roots(Vec3::Z * 5.0, -Vec3::Z, DVec3::ZERO, 1.0),
-            Some([4.0, 6.0])
-        );
-        assert_eq!(
-            roots(Vec3::Z * 1e9, -Vec3::Z, DVec3::ZERO, 1.0),
-            Some([1e9 - 1.0, 1e9 + 1.0])
-        );
-        assert_eq!(
-            roots(Vec3::new(2.0, 0.0, 5.0), -Vec3::Z, DVec3::ZERO, 1.0),
-            None
-        );
+        assert_eq!(roots(Vec3::Z * 5.0, -Vec3::Z, DVec3::ZERO, 1.0), Some([4.0, 6.0]));
+        assert_eq!(roots(Vec3::Z * 1e9, -Vec3::Z, DVec3::ZERO, 1.0), Some([1e9 - 1.0, 1e9 + 1.0]));
+        assert_eq!(roots(Vec3::new(2.0, 0.0, 5.0), -Vec3::Z, DVec3::ZERO, 1.0), None);
     }
 
     #[test]

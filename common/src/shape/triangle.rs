@@ -43,11 +43,7 @@ pub fn intersect(ray: &ExactRay, vertices: &[Vec3; 3]) -> Option<TriangleHit> {
     let reach = a.abs().max(b.abs()).max(c.abs()).max_element();
     let error = EDGE_ERROR * ray.reach * reach * reach;
     let certain = weight.iter().all(|w| w.abs() > error);
-    let side = if certain {
-        weight
-    } else {
-        exact_sides(ray, &corners, &mut weight)
-    };
+    let side = if certain { weight } else { exact_sides(ray, &corners, &mut weight) };
     let front = side.iter().all(|&s| s < 0.0);
     let back = side.iter().all(|&s| s > 0.0);
     if !front && !back {
@@ -59,11 +55,7 @@ pub fn intersect(ray: &ExactRay, vertices: &[Vec3; 3]) -> Option<TriangleHit> {
     // however grazing the ray.
     let along = |p: DVec3| dot(p, ray.direction);
     let t = sum3(l0 * along(a), l1 * along(b), l2 * along(c)) / ray.length_squared;
-    Some(TriangleHit {
-        t: t as f32,
-        u: l1 as f32,
-        v: l2 as f32,
-    })
+    Some(TriangleHit { t: t as f32, u: l1 as f32, v: l2 as f32 })
 }
 
 #[inline]
@@ -81,11 +73,7 @@ fn exact_sides(ray: &ExactRay, corners: &[DVec3; 3], weight: &mut [f64; 3]) -> [
         let from = corners[(i + 1) % 3].to_array();
         let to = corners[(i + 2) % 3].to_array();
         weight[i] = exact::edge(o, d, from, to);
-        if weight[i] == 0.0 {
-            exact::edge_tie(d, from, to)
-        } else {
-            weight[i]
-        }
+        if weight[i] == 0.0 { exact::edge_tie(d, from, to) } else { weight[i] }
     })
 }
 
@@ -101,10 +89,7 @@ mod tests {
     use crate::ray::Ray;
 
     fn hit(o: [f32; 3], d: [f32; 3], v: [[f32; 3]; 3]) -> Option<TriangleHit> {
-        intersect(
-            &ExactRay::new(&Ray::new(o.into(), d.into())),
-            &v.map(Vec3::from),
-        )
+        intersect(&ExactRay::new(&Ray::new(o.into(), d.into())), &v.map(Vec3::from))
     }
 
     const UNIT: [[f32; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
@@ -112,18 +97,8 @@ mod tests {
     #[test]
     fn middle_has_t_u_v() {
         let h = hit([0.25, 0.5, 2.0], [0.0, 0.0, -2.0], UNIT).unwrap();
-        assert_eq!(
-            h,
-            TriangleHit {
-                t: 1.0,
-                u: 0.25,
-                v: 0.5
-            }
-        );
-        assert!(
-            hit([0.25, 0.5, -2.0], [0.0, 0.0, 2.0], UNIT).is_some(),
-            "the back is hit too"
-        );
+        assert_eq!(h, TriangleHit { t: 1.0, u: 0.25, v: 0.5 });
+        assert!(hit([0.25, 0.5, -2.0], [0.0, 0.0, 2.0], UNIT).is_some(), "the back is hit too");
         assert!(hit([0.75, 0.5, 2.0], [0.0, 0.0, -1.0], UNIT).is_none());
     }
 
@@ -132,10 +107,7 @@ mod tests {
         let other = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         for x in [0.0, 0.25, 0.5, 0.75, 1.0] {
             let ray = ([x, 1.0 - x, 1.0], [0.0, 0.0, -1.0]);
-            let hits = [UNIT, other]
-                .iter()
-                .filter(|v| hit(ray.0, ray.1, **v).is_some())
-                .count();
+            let hits = [UNIT, other].iter().filter(|v| hit(ray.0, ray.1, **v).is_some()).count();
             let corner = x == 0.0 || x == 1.0;
             assert!(hits == 1 || corner && hits == 0, "x = {x}: {hits} hits");
         }
@@ -144,12 +116,7 @@ mod tests {
     #[test]
     fn no_area_and_edge_on_are_missed() {
         assert!(
-            hit(
-                [0.5, 0.5, 1.0],
-                [0.0, 0.0, -1.0],
-                [[0.0; 3], [1.0, 1.0, 0.0], [2.0, 2.0, 0.0]]
-            )
-            .is_none()
+            hit([0.5, 0.5, 1.0], [0.0, 0.0, -1.0], [[0.0; 3], [1.0, 1.0, 0.0], [2.0, 2.0, 0.0]]).is_none()
         );
         assert!(hit([-1.0, 0.25, 0.0], [1.0, 0.0, 0.0], UNIT).is_none());
         assert!(hit([0.0; 3], [0.0, 0.0, 1.0], [[0.0; 3]; 3]).is_none());
@@ -159,11 +126,7 @@ mod tests {
     fn the_whole_range_of_f32() {
         for scale in [1e-45, 1e-38, 1e-20, 1.0, 1e20, 1e38] {
             let v = UNIT.map(|p| p.map(|x| x * scale));
-            let h = hit(
-                [0.0, 0.0, scale],
-                [0.0, 0.0, -1.0],
-                v.map(|p| [p[0] - 0.0, p[1], p[2]]),
-            );
+            let h = hit([0.0, 0.0, scale], [0.0, 0.0, -1.0], v.map(|p| [p[0] - 0.0, p[1], p[2]]));
             assert!(h.is_none_or(|h| h.t.is_finite()), "{scale}");
             let h = hit([scale * 0.25, scale * 0.25, -scale], [0.0, 0.0, 1e-30], v);
             assert!(scale < 1e-40 || h.is_some(), "{scale}");

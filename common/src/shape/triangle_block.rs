@@ -36,11 +36,7 @@ impl TriangleBlock {
     /// # Panics
     /// If `triangles` yields nothing.
     pub fn pack(triangles: impl IntoIterator<Item = (u32, [Vec3; 3])>) -> Self {
-        let mut block = Self {
-            corner: [[[0.0; LANES]; 3]; 3],
-            index: [0; LANES],
-            len: 0,
-        };
+        let mut block = Self { corner: [[[0.0; LANES]; 3]; 3], index: [0; LANES], len: 0 };
         for (lane, (index, vertices)) in triangles.into_iter().take(LANES).enumerate() {
             block.set(lane, index, &vertices);
             block.len = lane as u32 + 1;
@@ -73,8 +69,7 @@ impl TriangleBlock {
     /// The corners of one lane.
     #[inline]
     pub fn vertices(&self, lane: usize) -> [Vec3; 3] {
-        self.corner
-            .map(|c| Vec3::new(c[0][lane], c[1][lane], c[2][lane]))
+        self.corner.map(|c| Vec3::new(c[0][lane], c[1][lane], c[2][lane]))
     }
 
     /// A bit for every used lane that the filter cannot discard for `interval`.

@@ -17,10 +17,7 @@ pub struct TileLayers {
 
 impl TileLayers {
     fn new(tile: Tile) -> Self {
-        Self {
-            tile,
-            pixels: Vec::new(),
-        }
+        Self { tile, pixels: Vec::new() }
     }
 
     fn start(&mut self, tile: Tile, layers: usize) {
@@ -89,26 +86,13 @@ pub fn render<S: Send, C: Default + Send + AddAssign>(
     make_state: impl Fn() -> S + Sync,
     work: impl Fn(&mut S, Tile, &mut C, &mut TileLayers) + Sync,
 ) -> Rendered<C> {
-    const NOWHERE: Tile = Tile {
-        x0: 0,
-        y0: 0,
-        x1: 1,
-        y1: 1,
-    };
+    const NOWHERE: Tile = Tile { x0: 0, y0: 0, x1: 1, y1: 1 };
     let films = Mutex::new(vec![Film::new(size); layers]);
-    let make_worker = || Worker {
-        state: make_state(),
-        counters: C::default(),
-        out: TileLayers::new(NOWHERE),
-    };
+    let make_worker =
+        || Worker { state: make_state(), counters: C::default(), out: TileLayers::new(NOWHERE) };
     let finished = for_each_tile(size, options, make_worker, |worker, tile| {
         worker.out.start(tile, layers);
-        work(
-            &mut worker.state,
-            tile,
-            &mut worker.counters,
-            &mut worker.out,
-        );
+        work(&mut worker.state, tile, &mut worker.counters, &mut worker.out);
         // Held for the copy of one tile only, which is short beside computing it.
         let mut films = films.lock().expect("copying does not panic");
         worker.out.copy_into(&mut films);

@@ -5,19 +5,17 @@ use crate::counters::Counters;
 use crate::math::Vec3;
 use proptest::prelude::*;
 use std::collections::HashSet;
+use std::sync::Mutex;
 use std::sync::atomic::Ordering;
 use std::thread;
+use std::time::Duration;
 
 fn size(width: i64, height: i64) -> Size {
     Size::new(width, height).unwrap()
 }
 
 fn options(tile: u32, threads: usize) -> TileOptions<'static> {
-    TileOptions {
-        tile: Some(tile),
-        threads: Some(threads),
-        ..TileOptions::default()
-    }
+    TileOptions { tile: Some(tile), threads: Some(threads), ..TileOptions::default() }
 }
 
 /// Two layers of something that depends on the pixel only, and takes long enough for help.
@@ -51,12 +49,14 @@ proptest! {
         threads in 1..5_usize,
     ) {
         let seen = Mutex::new(vec![0; (width * height) as usize]);
-        let finished = for_each_tile(size(width, height), &options(tile, threads), || (), |(), tile| {
+        let see = |tile: Tile| {
             assert!(tile.area() == tile.pixels().count() && tile.area() > 0);
             for (x, y) in tile.pixels() {
                 seen.lock().unwrap()[(i64::from(y) * width + i64::from(x)) as usize] += 1;
             }
-        });
+        };
+        let (size, options) = (size(width, height), options(tile, threads));
+        let finished = for_each_tile(size, &options, || (), |(), tile| see(tile));
         prop_assert!(finished.complete);
         prop_assert!(seen.into_inner().unwrap().iter().all(|&n| n == 1));
     }
@@ -71,10 +71,7 @@ fn pictures_and_counters_do_not_depend_on_threads_or_tiles() {
     for threads in [1, 2, 3, 7, 16] {
         for tile in [1, 5, 8, 16, 64] {
             let other = pattern(size, &options(tile, threads));
-            assert_eq!(
-                other.films, reference.films,
-                "{threads} threads, tile {tile}"
-            );
+            assert_eq!(other.films, reference.films, "{threads} threads, tile {tile}");
             assert_eq!(other.counters, reference.counters);
         }
     }
@@ -118,10 +115,7 @@ fn quick_work_stays_on_the_calling_thread() {
 #[test]
 fn a_stop_ends_the_work_and_keeps_what_is_done() {
     let stop = AtomicBool::new(false);
-    let options = TileOptions {
-        stop: Some(&stop),
-        ..options(4, 2)
-    };
+    let options = TileOptions { stop: Some(&stop), ..options(4, 2) };
     let rendered = render(
         size(32, 32),
         1,
@@ -137,10 +131,7 @@ fn a_stop_ends_the_work_and_keeps_what_is_done() {
     );
     assert!(!rendered.complete);
     assert!((1..64).contains(&rendered.counters));
-    let lit = rendered.films[0]
-        .pixels()
-        .iter()
-        .filter(|&&c| c == Vec3::ONE);
+    let lit = rendered.films[0].pixels().iter().filter(|&&c| c == Vec3::ONE);
     assert_eq!(lit.count() as u64, rendered.counters * 16);
 }
 

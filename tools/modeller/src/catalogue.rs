@@ -23,20 +23,8 @@ pub struct Model {
 const DECIMALS: usize = 5;
 
 impl Model {
-    fn new(
-        name: &'static str,
-        comment: &'static str,
-        mesh: Mesh,
-        triangles: usize,
-        bounds: Bounds,
-    ) -> Self {
-        Model {
-            name,
-            comment,
-            mesh: obj::rounded(&mesh, DECIMALS),
-            triangles,
-            bounds,
-        }
+    fn new(name: &'static str, comment: &'static str, mesh: Mesh, triangles: usize, bounds: Bounds) -> Self {
+        Model { name, comment, mesh: obj::rounded(&mesh, DECIMALS), triangles, bounds }
     }
 
     /// The file's content.
@@ -52,28 +40,19 @@ impl Model {
             return fault(format!("{found} triangles instead of {}", self.triangles));
         }
         check::closed_manifold(&self.mesh).or_else(fault)?;
-        let (euler, volume, flattest) = (
-            check::euler_characteristic(&self.mesh),
-            check::volume(&self.mesh),
-            check::flattest(&self.mesh),
-        );
+        let (euler, volume, flattest) =
+            (check::euler_characteristic(&self.mesh), check::volume(&self.mesh), check::flattest(&self.mesh));
         if euler != 2 || !check::is_connected(&self.mesh) {
-            return fault(format!(
-                "not one piece without handles (Euler characteristic {euler})"
-            ));
+            return fault(format!("not one piece without handles (Euler characteristic {euler})"));
         }
         if volume <= 0.0 {
             return fault(format!("faces inwards (volume {volume})"));
         }
         if flattest < 1e-3 {
-            return fault(format!(
-                "a triangle is only {flattest} times as high as long"
-            ));
+            return fault(format!("a triangle is only {flattest} times as high as long"));
         }
         let b = self.mesh.bounds();
-        let off = (b.min - self.bounds.min)
-            .abs()
-            .max((b.max - self.bounds.max).abs());
+        let off = (b.min - self.bounds.min).abs().max((b.max - self.bounds.max).abs());
         if (off / self.bounds.size()).max_element() > 1e-3 {
             return fault(format!("fills {b:?} instead of {:?}", self.bounds));
         }
@@ -84,12 +63,7 @@ impl Model {
 /// All models, made afresh. The rabbit takes a few seconds.
 pub fn all() -> Vec<Model> {
     let mut models = all_but_the_rabbit();
-    let names = [
-        "bunny_40k.obj",
-        "bunny_5k.obj",
-        "bunny_1k.obj",
-        "bunny_200.obj",
-    ];
+    let names = ["bunny_40k.obj", "bunny_5k.obj", "bunny_1k.obj", "bunny_200.obj"];
     let counts = [40_000, 5_000, 1_000, 200];
     for ((name, count), mesh) in names.into_iter().zip(counts).zip(rabbit::levels(counts)) {
         models.push(Model::new(
@@ -105,26 +79,11 @@ pub fn all() -> Vec<Model> {
 
 /// The models that are ready at once.
 pub fn all_but_the_rabbit() -> Vec<Model> {
-    let cube_box = Bounds {
-        min: dvec3(-1.0, -1.0, -1.0),
-        max: dvec3(1.0, 1.0, 1.0),
-    };
-    let gem_box = Bounds {
-        min: dvec3(-2.0, -2.0, -1.805),
-        max: dvec3(2.0, 2.0, 0.998),
-    };
-    let vase_box = Bounds {
-        min: dvec3(-2.304, 0.0, -2.291),
-        max: dvec3(2.304, 8.125, 2.291),
-    };
+    let cube_box = Bounds { min: dvec3(-1.0, -1.0, -1.0), max: dvec3(1.0, 1.0, 1.0) };
+    let gem_box = Bounds { min: dvec3(-2.0, -2.0, -1.805), max: dvec3(2.0, 2.0, 0.998) };
+    let vase_box = Bounds { min: dvec3(-2.304, 0.0, -2.291), max: dvec3(2.304, 8.125, 2.291) };
     vec![
-        Model::new(
-            "cube.obj",
-            "A cube, corners at +-1.",
-            cube::cube(),
-            12,
-            cube_box,
-        ),
+        Model::new("cube.obj", "A cube, corners at +-1.", cube::cube(), 12, cube_box),
         Model::new(
             "diamond.obj",
             "A round brilliant: the axis is z, the table is up.",

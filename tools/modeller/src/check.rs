@@ -23,9 +23,7 @@ pub fn closed_manifold(mesh: &Mesh) -> Result<(), String> {
         };
         let turns = fan_length(&next, v as u32, first);
         if turns != spokes.len() {
-            return Err(format!(
-                "the triangles round vertex {v} form more than one fan"
-            ));
+            return Err(format!("the triangles round vertex {v} form more than one fan"));
         }
     }
     Ok(())
@@ -50,9 +48,7 @@ fn successors(mesh: &Mesh) -> Result<HashMap<(u32, u32), u32>, String> {
 /// How many triangles one passes when turning round `v` from the edge to `first` until that edge
 /// comes again.
 fn fan_length(next: &HashMap<(u32, u32), u32>, v: u32, first: u32) -> usize {
-    let round = std::iter::successors(Some(first), |&w| {
-        Some(next[&(v, w)]).filter(|&w| w != first)
-    });
+    let round = std::iter::successors(Some(first), |&w| Some(next[&(v, w)]).filter(|&w| w != first));
     round.count()
 }
 
@@ -86,26 +82,17 @@ fn find(parent: &mut [u32], mut v: u32) -> u32 {
 
 /// The enclosed volume: positive if the triangles face outwards.
 pub fn volume(mesh: &Mesh) -> f64 {
-    (0..mesh.triangles.len())
-        .map(|t| mesh.corners(t))
-        .map(|[a, b, c]| a.dot(b.cross(c)))
-        .sum::<f64>()
-        / 6.0
+    (0..mesh.triangles.len()).map(|t| mesh.corners(t)).map(|[a, b, c]| a.dot(b.cross(c))).sum::<f64>() / 6.0
 }
 
 /// The least ratio of a triangle's height to its longest edge: 0 if some triangle is degenerate,
 /// √3/2 at best.
 pub fn flattest(mesh: &Mesh) -> f64 {
     let flatness = |[a, b, c]: [DVec3; 3]| {
-        let longest = a
-            .distance_squared(b)
-            .max(b.distance_squared(c))
-            .max(c.distance_squared(a));
+        let longest = a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a));
         (b - a).cross(c - a).length() / longest
     };
-    (0..mesh.triangles.len())
-        .map(|t| flatness(mesh.corners(t)))
-        .fold(f64::INFINITY, f64::min)
+    (0..mesh.triangles.len()).map(|t| flatness(mesh.corners(t))).fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]
@@ -130,11 +117,7 @@ mod tests {
         assert!(closed_manifold(&open).unwrap_err().contains("one side"));
         let mut flipped = cube();
         flipped.triangles[3].swap(0, 1);
-        assert!(
-            closed_manifold(&flipped)
-                .unwrap_err()
-                .contains("two triangles")
-        );
+        assert!(closed_manifold(&flipped).unwrap_err().contains("two triangles"));
         let mut loose = cube();
         loose.positions.push(DVec3::ZERO);
         assert!(closed_manifold(&loose).unwrap_err().contains("no triangle"));
@@ -146,28 +129,17 @@ mod tests {
         let mut pair = cube();
         let moved = cube().positions.into_iter().map(|p| p + 2.0);
         pair.positions.extend(moved);
-        pair.triangles.extend(
-            cube()
-                .triangles
-                .iter()
-                .map(|t| t.map(|v| if v == 0 { 7 } else { v + 8 })),
-        );
+        pair.triangles.extend(cube().triangles.iter().map(|t| t.map(|v| if v == 0 { 7 } else { v + 8 })));
         let pair = pair.numbered_by_first_use();
         assert_eq!(pair.positions.len(), 15);
-        assert!(
-            closed_manifold(&pair)
-                .unwrap_err()
-                .contains("more than one fan")
-        );
+        assert!(closed_manifold(&pair).unwrap_err().contains("more than one fan"));
     }
 
     #[test]
     fn two_pieces_are_found() {
         let mut pair = cube();
-        pair.positions
-            .extend(cube().positions.into_iter().map(|p| p + 5.0));
-        pair.triangles
-            .extend(cube().triangles.iter().map(|t| t.map(|v| v + 8)));
+        pair.positions.extend(cube().positions.into_iter().map(|p| p + 5.0));
+        pair.triangles.extend(cube().triangles.iter().map(|t| t.map(|v| v + 8)));
         closed_manifold(&pair).unwrap();
         assert!(!is_connected(&pair));
         assert_eq!(euler_characteristic(&pair), 4);

@@ -20,9 +20,7 @@ pub fn thirtieth_turn() -> DVec2 {
 /// `count` points of the unit circle, counter-clockwise from (1, 0), each `step` (a unit complex
 /// number) on from the last.
 pub fn points(step: DVec2, count: usize) -> Vec<DVec2> {
-    std::iter::successors(Some(DVec2::X), |p| Some(p.rotate(step)))
-        .take(count)
-        .collect()
+    std::iter::successors(Some(DVec2::X), |p| Some(p.rotate(step))).take(count).collect()
 }
 
 #[cfg(test)]
@@ -34,12 +32,7 @@ mod tests {
         for (step, count) in [(sixteenth_turn(), 16), (thirtieth_turn(), 30)] {
             let round = points(step, count + 1);
             assert!((round[count] - DVec2::X).length() < 1e-14);
-            assert!(
-                round[1..count]
-                    .iter()
-                    .all(|p| (*p - DVec2::X).length() > 0.2),
-                "no earlier return"
-            );
+            assert!(round[1..count].iter().all(|p| (*p - DVec2::X).length() > 0.2), "no earlier return");
         }
     }
 }

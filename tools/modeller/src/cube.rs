@@ -24,11 +24,7 @@ fn add_face(mesh: &mut Mesh, axis: u32, face: u32) {
     let base = face << axis;
     // u, v and the axis are right-handed: base → u → v turns left as seen from the face where the
     // bit is set.
-    let [a, b, c, d] = if face == 1 {
-        [0, u, u + v, v]
-    } else {
-        [0, v, u + v, u]
-    }
-    .map(|corner| base + corner);
+    let [a, b, c, d] =
+        if face == 1 { [0, u, u + v, v] } else { [0, v, u + v, u] }.map(|corner| base + corner);
     mesh.triangles.extend([[a, b, c], [a, c, d]]);
 }

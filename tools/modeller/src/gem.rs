@@ -32,10 +32,7 @@ const CULET_POINT: u32 = 56;
 
 /// The gem, its axis along z and the table up.
 pub fn gem() -> Mesh {
-    let mut mesh = Mesh {
-        positions: vertices(),
-        triangles: Vec::new(),
-    };
+    let mut mesh = Mesh { positions: vertices(), triangles: Vec::new() };
     table(&mut mesh);
     for eighth in 0..8 {
         crown(&mut mesh, eighth);
@@ -73,10 +70,7 @@ struct Slope {
 
 impl Slope {
     fn through(a: (f64, f64), b: (f64, f64)) -> Self {
-        Slope {
-            at: a,
-            rise: (b.1 - a.1) / (b.0 - a.0),
-        }
+        Slope { at: a, rise: (b.1 - a.1) / (b.0 - a.0) }
     }
 
     fn height(&self, distance: f64) -> f64 {
@@ -85,8 +79,7 @@ impl Slope {
 }
 
 fn table(mesh: &mut Mesh) {
-    mesh.triangles
-        .extend((1..7).map(|i| [TABLE_RING, TABLE_RING + i, TABLE_RING + i + 1]));
+    mesh.triangles.extend((1..7).map(|i| [TABLE_RING, TABLE_RING + i, TABLE_RING + i + 1]));
 }
 
 /// One kite, one star and two upper girdle facets.
@@ -95,23 +88,16 @@ fn crown(mesh: &mut Mesh, eighth: u32) {
     let (corner, next_corner) = (TABLE_RING + eighth, TABLE_RING + next);
     let (tip, tip_before) = (STAR_RING + eighth, STAR_RING + (eighth + 7) % 8);
     let [main, half, next_main] = [2 * eighth, 2 * eighth + 1, 2 * next].map(|i| UPPER_RING + i);
-    mesh.triangles
-        .extend([[corner, tip_before, main], [corner, main, tip]]);
+    mesh.triangles.extend([[corner, tip_before, main], [corner, main, tip]]);
     mesh.triangles.push([corner, tip, next_corner]);
-    mesh.triangles
-        .extend([[tip, main, half], [tip, half, next_main]]);
+    mesh.triangles.extend([[tip, main, half], [tip, half, next_main]]);
 }
 
 /// Two upright rectangles.
 fn girdle(mesh: &mut Mesh, eighth: u32) {
     for i in [2 * eighth, 2 * eighth + 1] {
         let j = (i + 1) % 16;
-        let [a, b, c, d] = [
-            LOWER_RING + i,
-            LOWER_RING + j,
-            UPPER_RING + j,
-            UPPER_RING + i,
-        ];
+        let [a, b, c, d] = [LOWER_RING + i, LOWER_RING + j, UPPER_RING + j, UPPER_RING + i];
         mesh.triangles.extend([[a, b, c], [a, c, d]]);
     }
 }
@@ -119,12 +105,9 @@ fn girdle(mesh: &mut Mesh, eighth: u32) {
 /// One pavilion main and two lower girdle facets.
 fn pavilion(mesh: &mut Mesh, eighth: u32) {
     let (tip, tip_before) = (PAVILION_RING + eighth, PAVILION_RING + (eighth + 7) % 8);
-    let [main, half, next_main] =
-        [2 * eighth, 2 * eighth + 1, (2 * eighth + 2) % 16].map(|i| LOWER_RING + i);
-    mesh.triangles
-        .extend([[CULET_POINT, main, tip_before], [CULET_POINT, tip, main]]);
-    mesh.triangles
-        .extend([[tip, half, main], [tip, next_main, half]]);
+    let [main, half, next_main] = [2 * eighth, 2 * eighth + 1, (2 * eighth + 2) % 16].map(|i| LOWER_RING + i);
+    mesh.triangles.extend([[CULET_POINT, main, tip_before], [CULET_POINT, tip, main]]);
+    mesh.triangles.extend([[tip, half, main], [tip, next_main, half]]);
 }
 
 #[cfg(test)]
@@ -142,18 +125,8 @@ mod tests {
         let mesh = gem();
         for i in 0..8 {
             let before = (i + 7) % 8;
-            let kite = [
-                TABLE_RING + i,
-                STAR_RING + before,
-                UPPER_RING + 2 * i,
-                STAR_RING + i,
-            ];
-            let main = [
-                CULET_POINT,
-                PAVILION_RING + before,
-                LOWER_RING + 2 * i,
-                PAVILION_RING + i,
-            ];
+            let kite = [TABLE_RING + i, STAR_RING + before, UPPER_RING + 2 * i, STAR_RING + i];
+            let main = [CULET_POINT, PAVILION_RING + before, LOWER_RING + 2 * i, PAVILION_RING + i];
             assert!(spread(&mesh, kite).abs() < 1e-13);
             assert!(spread(&mesh, main).abs() < 1e-13);
         }
@@ -165,11 +138,7 @@ mod tests {
         for t in 0..mesh.triangles.len() {
             let [a, b, c] = mesh.corners(t);
             let normal = (b - a).cross(c - a).normalize();
-            let highest = mesh
-                .positions
-                .iter()
-                .map(|&p| normal.dot(p - a))
-                .fold(f64::NEG_INFINITY, f64::max);
+            let highest = mesh.positions.iter().map(|&p| normal.dot(p - a)).fold(f64::NEG_INFINITY, f64::max);
             assert!(highest < 1e-12, "a vertex rises {highest} above facet {t}");
         }
     }

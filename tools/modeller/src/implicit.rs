@@ -19,11 +19,7 @@ impl Ellipsoid {
     pub fn new(centre: DVec3, first: DVec3, second: DVec3, radii: DVec3) -> Self {
         let x = first.normalize();
         let z = x.cross(second).normalize();
-        Ellipsoid {
-            centre,
-            to_axes: DMat3::from_cols(x, z.cross(x), z).transpose(),
-            radii,
-        }
+        Ellipsoid { centre, to_axes: DMat3::from_cols(x, z.cross(x), z).transpose(), radii }
     }
 
     /// Distance to the surface, exact to first order near it: g / |∇g| for g = |q| · (|q| − 1), q =
@@ -33,11 +29,7 @@ impl Ellipsoid {
         let q = local / self.radii;
         let (length, slope) = (q.length(), (q / self.radii).length());
         // At the very centre both lengths vanish; any inner value does.
-        if slope > 0.0 {
-            length * (length - 1.0) / slope
-        } else {
-            -self.radii.min_element()
-        }
+        if slope > 0.0 { length * (length - 1.0) / slope } else { -self.radii.min_element() }
     }
 }
 
@@ -70,11 +62,7 @@ struct Part {
 impl Solid {
     /// Joins one more part to the solid.
     pub fn join(&mut self, shape: Ellipsoid, join: Join) {
-        self.parts.push(Part {
-            shape,
-            join,
-            reach_squared: 0.0,
-        });
+        self.parts.push(Part { shape, join, reach_squared: 0.0 });
         let (Join::Add(width) | Join::Cut(width)) = join;
         self.widest = self.widest.max(width);
         for part in &mut self.parts {
@@ -104,17 +92,9 @@ impl Solid {
     /// The gradient, from differences along the corners of a tetrahedron of size `step`: as exact
     /// as central differences along the axes, with four values instead of six.
     pub fn gradient(&self, p: DVec3, step: f64) -> DVec3 {
-        const CORNERS: [DVec3; 4] = [
-            dvec3(1.0, -1.0, -1.0),
-            dvec3(-1.0, -1.0, 1.0),
-            dvec3(-1.0, 1.0, -1.0),
-            dvec3(1.0, 1.0, 1.0),
-        ];
-        CORNERS
-            .iter()
-            .map(|&c| c * self.distance(p + c * step))
-            .sum::<DVec3>()
-            / (4.0 * step)
+        const CORNERS: [DVec3; 4] =
+            [dvec3(1.0, -1.0, -1.0), dvec3(-1.0, -1.0, 1.0), dvec3(-1.0, 1.0, -1.0), dvec3(1.0, 1.0, 1.0)];
+        CORNERS.iter().map(|&c| c * self.distance(p + c * step)).sum::<DVec3>() / (4.0 * step)
     }
 }
 
@@ -130,12 +110,7 @@ mod tests {
 
     #[test]
     fn distance_to_a_ball_is_exact() {
-        let ball = Ellipsoid::new(
-            DVec3::new(1.0, 2.0, 3.0),
-            DVec3::X,
-            DVec3::Y,
-            DVec3::splat(2.0),
-        );
+        let ball = Ellipsoid::new(DVec3::new(1.0, 2.0, 3.0), DVec3::X, DVec3::Y, DVec3::splat(2.0));
         assert!((ball.distance(DVec3::new(1.0, 2.0, 8.0)) - 3.0).abs() < 1e-14);
         assert!((ball.distance(DVec3::new(1.0, 1.0, 3.0)) + 1.0).abs() < 1e-14);
         assert!(ball.distance(DVec3::new(1.0, 2.0, 3.0)) < 0.0);
@@ -164,8 +139,7 @@ mod tests {
 
     #[test]
     fn a_cut_takes_away() {
-        let ball =
-            |x: f64, r: f64| Ellipsoid::new(DVec3::X * x, DVec3::X, DVec3::Y, DVec3::splat(r));
+        let ball = |x: f64, r: f64| Ellipsoid::new(DVec3::X * x, DVec3::X, DVec3::Y, DVec3::splat(r));
         let mut solid = Solid::default();
         solid.join(ball(0.0, 1.0), Join::Add(0.1));
         assert!(solid.distance(DVec3::X * 0.9) < 0.0);

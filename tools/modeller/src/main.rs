@@ -34,8 +34,7 @@ fn main() -> ExitCode {
 }
 
 fn parse(arguments: &[String]) -> Result<Options, String> {
-    let (flags, folders): (Vec<&String>, Vec<&String>) =
-        arguments.iter().partition(|a| a.starts_with('-'));
+    let (flags, folders): (Vec<&String>, Vec<&String>) = arguments.iter().partition(|a| a.starts_with('-'));
     if let Some(unknown) = flags.iter().find(|f| f.as_str() != "--check") {
         return Err(format!("unknown option {unknown}"));
     }
@@ -44,10 +43,7 @@ fn parse(arguments: &[String]) -> Result<Options, String> {
         [folder] => folder.into(),
         _ => return Err("more than one folder".into()),
     };
-    Ok(Options {
-        check: !flags.is_empty(),
-        folder,
-    })
+    Ok(Options { check: !flags.is_empty(), folder })
 }
 
 fn run(options: &Options) -> ExitCode {
@@ -67,10 +63,7 @@ fn run(options: &Options) -> ExitCode {
 fn compare(model: &Model, path: &Path) -> Result<(), (u8, String)> {
     match fs::read_to_string(path) {
         Ok(text) if text == model.text() => Ok(()),
-        Ok(_) => Err((
-            1,
-            format!("{} differs from what the modeller makes", path.display()),
-        )),
+        Ok(_) => Err((1, format!("{} differs from what the modeller makes", path.display()))),
         Err(error) => Err((1, format!("{}: {error}", path.display()))),
     }
 }
@@ -82,12 +75,7 @@ fn write(model: &Model, path: &Path) -> Result<(), (u8, String)> {
     fs::write(&temporary, &text)
         .and_then(|()| fs::rename(&temporary, path))
         .map_err(|error| (2, format!("{}: {error}", path.display())))?;
-    println!(
-        "{:14} {:6} triangles {:8} bytes",
-        model.name,
-        model.triangles,
-        text.len()
-    );
+    println!("{:14} {:6} triangles {:8} bytes", model.name, model.triangles, text.len());
     Ok(())
 }
 

@@ -35,14 +35,8 @@ impl Mesh {
 
     /// The least box round all vertices. An empty mesh gives an inverted box.
     pub fn bounds(&self) -> Bounds {
-        let empty = Bounds {
-            min: DVec3::INFINITY,
-            max: DVec3::NEG_INFINITY,
-        };
-        self.positions.iter().fold(empty, |b, &p| Bounds {
-            min: b.min.min(p),
-            max: b.max.max(p),
-        })
+        let empty = Bounds { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
+        self.positions.iter().fold(empty, |b, &p| Bounds { min: b.min.min(p), max: b.max.max(p) })
     }
 
     /// Stretches and moves the mesh along each axis so that its box becomes `target`.
@@ -64,11 +58,8 @@ impl Mesh {
             (morton(bounds, (a + b + c) / 3.0), t)
         });
         let sorted = order.into_iter().map(|t| self.triangles[t]).collect();
-        *self = Mesh {
-            positions: std::mem::take(&mut self.positions),
-            triangles: sorted,
-        }
-        .numbered_by_first_use();
+        *self = Mesh { positions: std::mem::take(&mut self.positions), triangles: sorted }
+            .numbered_by_first_use();
     }
 
     /// The same triangles with vertices numbered in the order in which they are first used; unused
@@ -92,10 +83,6 @@ impl Mesh {
 
 /// Place of `p` on the Morton (Z-order) curve through `bounds`, ten bits for each axis.
 fn morton(bounds: Bounds, p: DVec3) -> u32 {
-    let cell = ((p - bounds.min) / bounds.size() * 1023.0)
-        .to_array()
-        .map(|c| c as u32);
-    (0..10).rev().fold(0, |code, bit| {
-        cell.iter().fold(code, |code, c| code << 1 | c >> bit & 1)
-    })
+    let cell = ((p - bounds.min) / bounds.size() * 1023.0).to_array().map(|c| c as u32);
+    (0..10).rev().fold(0, |code, bit| cell.iter().fold(code, |code, c| code << 1 | c >> bit & 1))
 }

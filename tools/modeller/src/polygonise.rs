@@ -19,14 +19,8 @@ struct Lattice {
 /// The six ways from a cell's lowest corner to its highest along three edges: each is a
 /// tetrahedron. Bits 0, 1, 2 of a corner are its x, y, z. Ordered so that all six have positive
 /// volume.
-const TETRAHEDRA: [[usize; 4]; 6] = [
-    [0, 1, 3, 7],
-    [0, 5, 1, 7],
-    [0, 3, 2, 7],
-    [0, 2, 6, 7],
-    [0, 4, 5, 7],
-    [0, 6, 4, 7],
-];
+const TETRAHEDRA: [[usize; 4]; 6] =
+    [[0, 1, 3, 7], [0, 5, 1, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 4, 5, 7], [0, 6, 4, 7]];
 
 /// The surface on which `f` is zero, as seen on a lattice of cells of size `step` that covers
 /// `bounds`. Triangles face towards positive values.
@@ -48,8 +42,7 @@ pub fn polygonise(f: impl Fn(DVec3) -> f64, bounds: Bounds, step: f64) -> Mesh {
                     let mut vertex =
                         |a, b| lattice.vertex(&mut mesh.positions, &mut vertex_on_edge, cell, a, b);
                     for tetrahedron in TETRAHEDRA {
-                        let inside =
-                            tetrahedron.map(|c| lattice.values[cell + lattice.offset(c)] < 0.0);
+                        let inside = tetrahedron.map(|c| lattice.values[cell + lattice.offset(c)] < 0.0);
                         triangulate(tetrahedron, inside, &mut vertex, &mut mesh.triangles);
                     }
                 }
@@ -60,15 +53,8 @@ pub fn polygonise(f: impl Fn(DVec3) -> f64, bounds: Bounds, step: f64) -> Mesh {
 }
 
 fn sample(f: impl Fn(DVec3) -> f64, bounds: Bounds, step: f64) -> Lattice {
-    let nodes = (bounds.size() / step)
-        .to_array()
-        .map(|cells| cells.ceil() as usize + 1);
-    let mut lattice = Lattice {
-        origin: bounds.min,
-        step,
-        nodes,
-        values: Vec::new(),
-    };
+    let nodes = (bounds.size() / step).to_array().map(|cells| cells.ceil() as usize + 1);
+    let mut lattice = Lattice { origin: bounds.min, step, nodes, values: Vec::new() };
     let count = nodes.iter().product();
     lattice.values = (0..count).map(|node| f(lattice.position(node))).collect();
     lattice
@@ -94,11 +80,7 @@ impl Lattice {
     fn is_cut_off(&self) -> bool {
         let [nx, ny, nz] = self.nodes;
         let rim = |node: usize| {
-            let place = [
-                (node % nx, nx),
-                (node / nx % ny, ny),
-                (node / (nx * ny), nz),
-            ];
+            let place = [(node % nx, nx), (node / nx % ny, ny), (node / (nx * ny), nz)];
             place.iter().any(|&(i, n)| i == 0 || i + 1 == n)
         };
         (0..self.values.len()).any(|node| self.values[node] < 0.0 && rim(node))
@@ -111,14 +93,7 @@ impl Lattice {
 
     /// The vertex on the edge between corners `a` and `b` of a cell, made when it is first asked
     /// for.
-    fn vertex(
-        &self,
-        positions: &mut Vec<DVec3>,
-        slots: &mut [u32],
-        cell: usize,
-        a: usize,
-        b: usize,
-    ) -> u32 {
+    fn vertex(&self, positions: &mut Vec<DVec3>, slots: &mut [u32], cell: usize, a: usize, b: usize) -> u32 {
         // Along every edge of the subdivision one corner's bits contain the other's.
         let (low, high) = (a & b, a | b);
         let (p, q) = (cell + self.offset(low), cell + self.offset(high));
@@ -128,10 +103,7 @@ impl Lattice {
             *slot = positions.len() as u32;
             // Kept off the lattice nodes, where several edges meet, so that no triangle shrinks to
             // nothing.
-            positions.push(
-                self.position(p)
-                    .lerp(self.position(q), part.clamp(0.05, 0.95)),
-            );
+            positions.push(self.position(p).lerp(self.position(q), part.clamp(0.05, 0.95)));
         }
         *slot
     }
@@ -149,10 +121,7 @@ fn triangulate(
     let inner = inside.iter().filter(|&&is| is).count();
     match inner {
         1 | 3 => {
-            let lone = inside
-                .iter()
-                .position(|&is| is == (inner == 1))
-                .expect("one corner differs");
+            let lone = inside.iter().position(|&is| is == (inner == 1)).expect("one corner differs");
             // Even permutations that put the lone corner first: the triangle then faces away from
             // it.
             let [i, j, k, l] = [[0, 1, 2, 3], [1, 0, 3, 2], [2, 3, 0, 1], [3, 2, 1, 0]][lone];
@@ -160,18 +129,10 @@ fn triangulate(
             triangles.push(if inner == 1 { [a, b, c] } else { [a, c, b] });
         }
         2 => {
-            const EVEN: [[usize; 4]; 6] = [
-                [0, 1, 2, 3],
-                [0, 2, 3, 1],
-                [0, 3, 1, 2],
-                [1, 2, 0, 3],
-                [1, 3, 2, 0],
-                [2, 3, 0, 1],
-            ];
-            let [i, j, k, l] = *EVEN
-                .iter()
-                .find(|p| inside[p[0]] && inside[p[1]])
-                .expect("two corners are inside");
+            const EVEN: [[usize; 4]; 6] =
+                [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 2, 0, 3], [1, 3, 2, 0], [2, 3, 0, 1]];
+            let [i, j, k, l] =
+                *EVEN.iter().find(|p| inside[p[0]] && inside[p[1]]).expect("two corners are inside");
             let [a, b, c, d] = [on(i, k), on(i, l), on(j, l), on(j, k)];
             triangles.extend([[a, b, c], [a, c, d]]);
         }
@@ -186,28 +147,18 @@ mod tests {
 
     #[test]
     fn a_ball_comes_out_closed_round_and_facing_outwards() {
-        let box_round = Bounds {
-            min: DVec3::splat(-1.3),
-            max: DVec3::splat(1.3),
-        };
+        let box_round = Bounds { min: DVec3::splat(-1.3), max: DVec3::splat(1.3) };
         let mesh = polygonise(|p| p.length() - 1.0, box_round, 0.1);
         check::closed_manifold(&mesh).unwrap();
         assert_eq!(check::euler_characteristic(&mesh), 2);
         let ball = 4.0 / 3.0 * std::f64::consts::PI;
-        assert!(
-            (check::volume(&mesh) / ball - 1.0).abs() < 0.01,
-            "volume {}",
-            check::volume(&mesh)
-        );
+        assert!((check::volume(&mesh) / ball - 1.0).abs() < 0.01, "volume {}", check::volume(&mesh));
     }
 
     #[test]
     fn a_ring_keeps_its_hole() {
         let ring = |p: DVec3| (p.truncate().length() - 1.0).hypot(p.z) - 0.3;
-        let box_round = Bounds {
-            min: DVec3::splat(-1.5),
-            max: DVec3::splat(1.5),
-        };
+        let box_round = Bounds { min: DVec3::splat(-1.5), max: DVec3::splat(1.5) };
         let mesh = polygonise(ring, box_round, 0.1);
         check::closed_manifold(&mesh).unwrap();
         assert_eq!(check::euler_characteristic(&mesh), 0);
@@ -220,9 +171,6 @@ mod tests {
             let [a, b, c, d] = t.map(corner);
             (b - a).cross(c - a).dot(d - a) / 6.0
         });
-        assert!(
-            volumes.iter().all(|v| (v - 1.0 / 6.0).abs() < 1e-15),
-            "{volumes:?}"
-        );
+        assert!(volumes.iter().all(|v| (v - 1.0 / 6.0).abs() < 1e-15), "{volumes:?}");
     }
 }

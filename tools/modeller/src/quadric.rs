@@ -20,38 +20,26 @@ pub struct Quadric {
 
 impl Quadric {
     /// Zero everywhere.
-    pub const ZERO: Quadric = Quadric {
-        a: DMat3::ZERO,
-        b: DVec3::ZERO,
-        c: 0.0,
-    };
+    pub const ZERO: Quadric = Quadric { a: DMat3::ZERO, b: DVec3::ZERO, c: 0.0 };
 
     /// The weighted squared distance to the plane through `p` with unit normal `n`, with a little
     /// of that to `p` itself.
     pub fn new(p: DVec3, n: DVec3, weight: f64) -> Self {
         let a = weight
-            * (DMat3::from_cols(n * n.x, n * n.y, n * n.z)
-                + DMat3::from_diagonal(DVec3::splat(EVENNESS)));
+            * (DMat3::from_cols(n * n.x, n * n.y, n * n.z) + DMat3::from_diagonal(DVec3::splat(EVENNESS)));
         let b = -(a * p);
         Quadric { a, b, c: -b.dot(p) }
     }
 
     /// The sum of both functions.
     pub fn plus(&self, other: &Quadric) -> Quadric {
-        Quadric {
-            a: self.a + other.a,
-            b: self.b + other.b,
-            c: self.c + other.c,
-        }
+        Quadric { a: self.a + other.a, b: self.b + other.b, c: self.c + other.c }
     }
 
     /// Where the function is least, and its value there.
     pub fn least(&self) -> (DVec3, f64) {
         let p = -(self.a.inverse() * self.b);
-        (
-            p,
-            (p.dot(self.a * p) + 2.0 * self.b.dot(p) + self.c).max(0.0),
-        )
+        (p, (p.dot(self.a * p) + 2.0 * self.b.dot(p) + self.c).max(0.0))
     }
 }
 
@@ -74,9 +62,6 @@ mod tests {
         let sum = Quadric::new(low, DVec3::Z, 1.0).plus(&Quadric::new(high, DVec3::Z, 1.0));
         let (p, cost) = sum.least();
         assert!((p - DVec3::Z).length() < 1e-9);
-        assert!(
-            (cost - 2.0).abs() < 0.01,
-            "two planes at distance one cost two, not {cost}"
-        );
+        assert!((cost - 2.0).abs() < 0.01, "two planes at distance one cost two, not {cost}");
     }
 }

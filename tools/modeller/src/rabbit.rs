@@ -12,18 +12,12 @@ use crate::relax::relax;
 use glam::{DVec3, dvec3};
 
 /// The box that the cameras of the bunny scenes are made for.
-pub const BOX: Bounds = Bounds {
-    min: dvec3(-0.189, 0.067, -0.123),
-    max: dvec3(0.122, 0.374, 0.118),
-};
+pub const BOX: Bounds = Bounds { min: dvec3(-0.189, 0.067, -0.123), max: dvec3(0.122, 0.374, 0.118) };
 
 /// Cell size of the first, fine polygonisation.
 const CELL: f64 = 0.036;
 /// A box with room for the whole model.
-const SPACE: Bounds = Bounds {
-    min: dvec3(-2.1, -0.2, -1.5),
-    max: dvec3(2.1, 4.0, 1.5),
-};
+const SPACE: Bounds = Bounds { min: dvec3(-2.1, -0.2, -1.5), max: dvec3(2.1, 4.0, 1.5) };
 /// From this many triangles on a level is evened out; coarser ones need their long thin triangles
 /// on the ears.
 const FINE: usize = 5000;
@@ -71,12 +65,7 @@ impl Frame {
     fn new(origin: DVec3, forward: DVec3) -> Self {
         let forward = forward.normalize();
         let side = forward.cross(DVec3::Y).normalize();
-        Frame {
-            origin,
-            forward,
-            up: side.cross(forward),
-            side,
-        }
+        Frame { origin, forward, up: side.cross(forward), side }
     }
 
     fn direction(&self, v: DVec3) -> DVec3 {
@@ -120,12 +109,7 @@ fn add_all(solid: &mut Solid, frame: &Frame, parts: &[Part]) {
 fn add(solid: &mut Solid, frame: &Frame, part: &Part, side: f64) {
     let place = |[x, y, z]: [f64; 3]| frame.direction(dvec3(x, y, side * z));
     let centre = frame.origin + place(part.centre);
-    let shape = Ellipsoid::new(
-        centre,
-        place(part.first),
-        place(part.second),
-        part.radii.into(),
-    );
+    let shape = Ellipsoid::new(centre, place(part.first), place(part.second), part.radii.into());
     solid.join(shape, part.join);
 }
 
@@ -137,14 +121,7 @@ const fn part(
     join: Join,
     copies: Copies,
 ) -> Part {
-    Part {
-        centre,
-        first,
-        second,
-        radii,
-        join,
-        copies,
-    }
+    Part { centre, first, second, radii, join, copies }
 }
 
 const AHEAD: [f64; 3] = [1.0, 0.0, 0.0];

@@ -22,10 +22,7 @@ pub fn reduce(mesh: &Mesh, target: usize) -> Mesh {
     while work.count > target {
         let before = work.count;
         work.pass(target);
-        assert!(
-            work.count < before,
-            "stuck at {before} triangles on the way to {target}"
-        );
+        assert!(work.count < before, "stuck at {before} triangles on the way to {target}");
     }
     work.finish()
 }
@@ -86,34 +83,24 @@ impl Work {
             let [a, b, c] = self.triangles[t];
             // Each edge belongs to two triangles, which name it in opposite directions.
             let edges = [[a, b], [b, c], [c, a]];
-            queue.extend(
-                edges
-                    .into_iter()
-                    .filter(|[v, w]| v < w)
-                    .map(|[v, w]| Reverse(self.candidate(v, w))),
-            );
+            queue
+                .extend(edges.into_iter().filter(|[v, w]| v < w).map(|[v, w]| Reverse(self.candidate(v, w))));
         }
         while self.count > target {
             let Some(Reverse(candidate)) = queue.pop() else {
                 return;
             };
             let [v, w] = candidate.edge;
-            if candidate.states == [self.states[v as usize], self.states[w as usize]]
-                && self.collapse(v, w)
-            {
+            if candidate.states == [self.states[v as usize], self.states[w as usize]] && self.collapse(v, w) {
                 queue.extend(
-                    self.neighbours(v)
-                        .into_iter()
-                        .map(|n| Reverse(self.candidate(v.min(n), v.max(n)))),
+                    self.neighbours(v).into_iter().map(|n| Reverse(self.candidate(v.min(n), v.max(n)))),
                 );
             }
         }
     }
 
     fn candidate(&self, v: u32, w: u32) -> Candidate {
-        let (_, cost) = self.quadrics[v as usize]
-            .plus(&self.quadrics[w as usize])
-            .least();
+        let (_, cost) = self.quadrics[v as usize].plus(&self.quadrics[w as usize]).least();
         Candidate {
             cost: cost.to_bits(),
             edge: [v, w],
@@ -123,9 +110,7 @@ impl Work {
 
     /// The vertices joined to `v` by an edge, in ascending order.
     fn neighbours(&self, v: u32) -> Vec<u32> {
-        let corners = self.fans[v as usize]
-            .iter()
-            .flat_map(|&t| self.triangles[t as usize]);
+        let corners = self.fans[v as usize].iter().flat_map(|&t| self.triangles[t as usize]);
         let mut around: Vec<u32> = corners.filter(|&n| n != v).collect();
         around.sort_unstable();
         around.dedup();
@@ -176,13 +161,7 @@ impl Work {
             .filter(|c| !c.contains(&other))
             .all(|corners| {
                 let old = corners.map(|c| self.positions[c as usize]);
-                let new = corners.map(|c| {
-                    if c == moved {
-                        p
-                    } else {
-                        self.positions[c as usize]
-                    }
-                });
+                let new = corners.map(|c| if c == moved { p } else { self.positions[c as usize] });
                 let (before, after) = (normal(old), normal(new));
                 let upright = before.dot(after) > LEAST_COSINE * before.length() * after.length();
                 // What is a needle already may stay one as long as it gets no worse.
@@ -191,17 +170,8 @@ impl Work {
     }
 
     fn finish(self) -> Mesh {
-        let kept = self
-            .triangles
-            .into_iter()
-            .zip(self.alive)
-            .filter(|(_, alive)| *alive)
-            .map(|(t, _)| t);
-        Mesh {
-            positions: self.positions,
-            triangles: kept.collect(),
-        }
-        .numbered_by_first_use()
+        let kept = self.triangles.into_iter().zip(self.alive).filter(|(_, alive)| *alive).map(|(t, _)| t);
+        Mesh { positions: self.positions, triangles: kept.collect() }.numbered_by_first_use()
     }
 }
 
@@ -225,34 +195,21 @@ mod tests {
 
     #[test]
     fn a_ball_stays_a_ball_down_to_few_triangles() {
-        let bounds = Bounds {
-            min: DVec3::splat(-1.2),
-            max: DVec3::splat(1.2),
-        };
+        let bounds = Bounds { min: DVec3::splat(-1.2), max: DVec3::splat(1.2) };
         let fine = polygonise(|p| p.length() - 1.0, bounds, 0.1);
         for (target, most) in [(1000, 0.03), (200, 0.15), (50, 0.35)] {
             let coarse = reduce(&fine, target);
             assert_eq!(coarse.triangles.len(), target);
             check::closed_manifold(&coarse).unwrap();
             assert_eq!(check::euler_characteristic(&coarse), 2);
-            let off = coarse
-                .positions
-                .iter()
-                .map(|p| (p.length() - 1.0).abs())
-                .fold(0.0, f64::max);
-            assert!(
-                off < most,
-                "{target} triangles: a vertex is {off} away from the ball"
-            );
+            let off = coarse.positions.iter().map(|p| (p.length() - 1.0).abs()).fold(0.0, f64::max);
+            assert!(off < most, "{target} triangles: a vertex is {off} away from the ball");
         }
     }
 
     #[test]
     fn a_flat_face_costs_nothing_so_a_box_keeps_its_corners() {
-        let bounds = Bounds {
-            min: DVec3::splat(-1.35),
-            max: DVec3::splat(1.35),
-        };
+        let bounds = Bounds { min: DVec3::splat(-1.35), max: DVec3::splat(1.35) };
         let fine = polygonise(|p| p.abs().max_element() - 1.0, bounds, 0.1);
         let coarse = reduce(&fine, 300);
         check::closed_manifold(&coarse).unwrap();

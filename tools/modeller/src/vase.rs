@@ -48,11 +48,7 @@ pub fn vase() -> Mesh {
     mesh.positions.push(pole(rings[0]));
     for ring in &rings[1..=RINGS] {
         // Counter-clockwise seen from +y is from +x towards −z.
-        mesh.positions.extend(
-            circle
-                .iter()
-                .map(|c| DVec3::new(c.x * ring.x, ring.y, -c.y * ring.x)),
-        );
+        mesh.positions.extend(circle.iter().map(|c| DVec3::new(c.x * ring.x, ring.y, -c.y * ring.x)));
     }
     mesh.positions.push(pole(rings[RINGS + 1]));
     connect(&mut mesh);
@@ -71,8 +67,7 @@ fn connect(mesh: &mut Mesh) {
             let [c, d] = [vertex(ring + 1, s + 1), vertex(ring + 1, s)];
             mesh.triangles.extend([[a, b, c], [a, c, d]]);
         }
-        mesh.triangles
-            .push([last_pole, vertex(top_ring, s), vertex(top_ring, s + 1)]);
+        mesh.triangles.push([last_pole, vertex(top_ring, s), vertex(top_ring, s + 1)]);
     }
 }
 

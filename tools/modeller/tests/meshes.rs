@@ -30,12 +30,7 @@ fn every_mesh_keeps_its_promises() {
 /// The promises can be broken, and then `check` says so.
 #[test]
 fn broken_promises_are_found() {
-    let gem = || {
-        catalogue::all_but_the_rabbit()
-            .into_iter()
-            .find(|m| m.name == "diamond.obj")
-            .unwrap()
-    };
+    let gem = || catalogue::all_but_the_rabbit().into_iter().find(|m| m.name == "diamond.obj").unwrap();
     let complaint = |damage: fn(&mut Model)| {
         let mut model = gem();
         damage(&mut model);
@@ -43,15 +38,10 @@ fn broken_promises_are_found() {
     };
     assert!(complaint(|m| m.triangles = 111).contains("110 triangles instead of 111"));
     assert!(complaint(|m| m.mesh.triangles[7].swap(0, 1)).contains("two triangles"));
+    assert!(complaint(|m| m.mesh.triangles.iter_mut().for_each(|t| t.swap(0, 1))).contains("inwards"));
+    assert!(complaint(|m| m.mesh.positions[8] = m.mesh.positions[0]).contains("times as high as long"));
     assert!(
-        complaint(|m| m.mesh.triangles.iter_mut().for_each(|t| t.swap(0, 1))).contains("inwards")
-    );
-    assert!(
-        complaint(|m| m.mesh.positions[8] = m.mesh.positions[0]).contains("times as high as long")
-    );
-    assert!(
-        complaint(|m| m.mesh.positions.iter_mut().for_each(|p| p.x *= 1.01))
-            .contains("instead of Bounds")
+        complaint(|m| m.mesh.positions.iter_mut().for_each(|p| p.x *= 1.01)).contains("instead of Bounds")
     );
 }
 
@@ -77,11 +67,7 @@ fn rabbit_levels_enclose_nearly_the_same_volume() {
         modeller::check::volume(&model.mesh)
     };
     let finest = volume("bunny_40k.obj");
-    for (name, most) in [
-        ("bunny_5k.obj", 0.01),
-        ("bunny_1k.obj", 0.03),
-        ("bunny_200.obj", 0.08),
-    ] {
+    for (name, most) in [("bunny_5k.obj", 0.01), ("bunny_1k.obj", 0.03), ("bunny_200.obj", 0.08)] {
         let off = (volume(name) / finest - 1.0).abs();
         assert!(off < most, "{name}: volume is off by {off}");
     }
@@ -89,39 +75,25 @@ fn rabbit_levels_enclose_nearly_the_same_volume() {
 
 #[test]
 fn scenes_name_only_meshes_that_exist() {
-    let known: BTreeSet<String> = models()
-        .iter()
-        .map(|m| format!("meshes/{}", m.name))
-        .collect();
+    let known: BTreeSet<String> = models().iter().map(|m| format!("meshes/{}", m.name)).collect();
     let mut named = BTreeSet::new();
     for entry in fs::read_dir(scenes()).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|e| e == "txt") {
             let text = fs::read_to_string(&path).unwrap();
             let words: Vec<&str> = text.split_whitespace().collect();
-            named.extend(
-                words
-                    .windows(2)
-                    .filter(|w| w[0] == "obj_file")
-                    .map(|w| w[1].to_owned()),
-            );
+            named.extend(words.windows(2).filter(|w| w[0] == "obj_file").map(|w| w[1].to_owned()));
         }
     }
     let unknown: Vec<_> = named.difference(&known).collect();
     assert!(unknown.is_empty(), "no such mesh: {unknown:?}");
-    assert!(
-        named.len() >= 6,
-        "scenes of assignments 0 to 5 name six meshes, found {named:?}"
-    );
+    assert!(named.len() >= 6, "scenes of assignments 0 to 5 name six meshes, found {named:?}");
 }
 
 #[test]
 fn usage_errors_and_help_have_their_exit_codes() {
     let run = |arguments: &[&str]| {
-        let output = Command::new(env!("CARGO_BIN_EXE_modeller"))
-            .args(arguments)
-            .output()
-            .unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_modeller")).args(arguments).output().unwrap();
         (
             output.status.code(),
             String::from_utf8(output.stdout).unwrap(),
@@ -145,28 +117,14 @@ fn what_is_written_passes_the_check_until_it_is_changed() {
     let run = |arguments: &[&str]| {
         let mut program = Command::new(env!("CARGO_BIN_EXE_modeller"));
         let output = program.args(arguments).arg(&folder).output().unwrap();
-        (
-            output.status.code(),
-            String::from_utf8(output.stderr).unwrap(),
-        )
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
     };
     assert_eq!(run(&[]).0, Some(0));
     for model in models() {
-        assert!(
-            fs::read_to_string(folder.join(model.name)).unwrap() == model.text(),
-            "{}",
-            model.name
-        );
+        assert!(fs::read_to_string(folder.join(model.name)).unwrap() == model.text(), "{}", model.name);
     }
     let last = folder.join("bunny_200.obj");
-    fs::write(
-        &last,
-        fs::read_to_string(&last).unwrap().replacen("f 1", "f 2", 1),
-    )
-    .unwrap();
+    fs::write(&last, fs::read_to_string(&last).unwrap().replacen("f 1", "f 2", 1)).unwrap();
     let (code, err) = run(&["--check"]);
-    assert!(
-        code == Some(1) && err.contains("bunny_200.obj differs"),
-        "{code:?} {err}"
-    );
+    assert!(code == Some(1) && err.contains("bunny_200.obj differs"), "{code:?} {err}");
 }

@@ -178,7 +178,7 @@ impl Args {
 
     /// Runs `work` with as many threads as `-threads` asks for.
     pub fn in_threads<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Result<T, AppError> {
-        let threads = self.general.threads.unwrap_or(0) as usize;
+        let threads = self.general.program.threads.unwrap_or(0) as usize;
         Ok(rayon::ThreadPoolBuilder::new().num_threads(threads).build()?.install(work))
     }
 }

@@ -43,7 +43,7 @@ fn run(args: &Args) -> Result<(), AppError> {
     let scene = common::scene::load(&args.input)?;
     let start = Instant::now();
     let pictures = args.in_threads(|| render(&scene, &options))??;
-    if args.general.stats {
+    if args.general.program.stats {
         cli::say(&format!("rendered in {:.3} s", start.elapsed().as_secs_f64()));
     }
     let rasters = [Some(&pictures.colour), pictures.depth.as_ref(), pictures.normals.as_ref()];

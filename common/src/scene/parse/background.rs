@@ -52,8 +52,6 @@ impl<'a> Parser<'a> {
     /// A picture file name, resolved to the file it stands for.
     pub(super) fn picture(&mut self, field: Token<'a>) -> Parsed<PathBuf> {
         let name = self.name(field)?;
-        self.source
-            .picture(name.text)
-            .map_err(|message| Box::new(Fault::new(name.span, message)))
+        self.source.picture(name.text).map_err(|message| Box::new(Fault::new(name.span, message)))
     }
 }

@@ -24,26 +24,14 @@ impl<'a> Parser<'a> {
     pub(super) fn open(&mut self, keyword: Token<'a>) -> Parsed<Block<'a>> {
         let token = self.lexer.next();
         if token.kind != TokenKind::Open {
-            let message = format!(
-                "expected `{{` after `{}`, found {}",
-                keyword.text,
-                found(token)
-            );
+            let message = format!("expected `{{` after `{}`, found {}", keyword.text, found(token));
             return Fault::new(token.span, message).fail();
         }
-        Ok(Block {
-            keyword,
-            close: token.span,
-            seen: Vec::new(),
-        })
+        Ok(Block { keyword, close: token.span, seen: Vec::new() })
     }
 
     /// The next field keyword, or `None` at the closing brace. A field may be given only once.
-    pub(super) fn field(
-        &mut self,
-        block: &mut Block<'a>,
-        allowed: &[&str],
-    ) -> Parsed<Option<Token<'a>>> {
+    pub(super) fn field(&mut self, block: &mut Block<'a>, allowed: &[&str]) -> Parsed<Option<Token<'a>>> {
         let field = self.item(block, allowed)?;
         if let Some(field) = field {
             block.reject_repeated(field)?;
@@ -52,11 +40,7 @@ impl<'a> Parser<'a> {
     }
 
     /// The next keyword of those allowed, as often as it likes, or `None` at the closing brace.
-    pub(super) fn item(
-        &mut self,
-        block: &mut Block<'a>,
-        allowed: &[&str],
-    ) -> Parsed<Option<Token<'a>>> {
+    pub(super) fn item(&mut self, block: &mut Block<'a>, allowed: &[&str]) -> Parsed<Option<Token<'a>>> {
         let token = self.lexer.next();
         match token.kind {
             TokenKind::Close => {
@@ -65,11 +49,7 @@ impl<'a> Parser<'a> {
             }
             TokenKind::Word if allowed.contains(&token.text) => Ok(Some(token)),
             _ => self
-                .unexpected(
-                    token,
-                    &format!("a field of `{}`", block.keyword.text),
-                    allowed,
-                )
+                .unexpected(token, &format!("a field of `{}`", block.keyword.text), allowed)
                 .context(block.keyword.span, "in this block")
                 .fail(),
         }

@@ -42,15 +42,7 @@ impl<'a> Parser<'a> {
             "OrthographicCamera" => "size",
             _ => "angle",
         };
-        let allowed = [
-            "center",
-            "direction",
-            "up",
-            extent,
-            "aperture",
-            "focalDistance",
-            "screen",
-        ];
+        let allowed = ["center", "direction", "up", extent, "aperture", "focalDistance", "screen"];
         let mut block = self.open(keyword)?;
         let mut fields = Fields::default();
         while let Some(field) = self.field(&mut block, &allowed)? {
@@ -74,11 +66,9 @@ impl<'a> Parser<'a> {
     }
 
     fn field_of_view(&mut self, field: Token<'a>) -> Parsed<f64> {
-        self.bounded(
-            field,
-            "between 0 and 180 degrees (both excluded)",
-            |angle| angle as f32 > 0.0 && (angle as f32) < 180.0,
-        )
+        self.bounded(field, "between 0 and 180 degrees (both excluded)", |angle| {
+            angle as f32 > 0.0 && (angle as f32) < 180.0
+        })
     }
 
     fn screen(&mut self) -> Parsed<Screen> {
@@ -87,10 +77,7 @@ impl<'a> Parser<'a> {
             "flat" => Ok(Screen::Flat),
             "curved" => Ok(Screen::Curved),
             other => {
-                let message = format!(
-                    "expected `flat` or `curved` for `screen`, found {}",
-                    found(token)
-                );
+                let message = format!("expected `flat` or `curved` for `screen`, found {}", found(token));
                 let help = nearest(other, ["flat", "curved"]);
                 Fault::new(token.span, message)
                     .help_if_any(help.map(|name| format!("did you mean `{name}`?")))
@@ -119,12 +106,8 @@ impl Fields {
 
     fn kind(&self, block: &Block) -> Parsed<CameraKind> {
         Ok(match block.keyword.text {
-            "OrthographicCamera" => CameraKind::Orthographic {
-                size: block.require(self.size, "size")?,
-            },
-            _ => CameraKind::Perspective {
-                angle: block.require(self.angle, "angle")?,
-            },
+            "OrthographicCamera" => CameraKind::Orthographic { size: block.require(self.size, "size")? },
+            _ => CameraKind::Perspective { angle: block.require(self.angle, "angle")? },
         })
     }
 

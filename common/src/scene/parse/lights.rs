@@ -54,21 +54,14 @@ impl<'a> Parser<'a> {
         let attenuation = fields.attenuation.unwrap_or([1.0, 0.0, 0.0]);
         let kind = match keyword.text {
             "DirectionalLight" => LightKind::Directional { direction: place },
-            "PointLight" => LightKind::Point {
-                position: place,
-                attenuation,
-            },
+            "PointLight" => LightKind::Point { position: place, attenuation },
             _ => LightKind::Sphere {
                 center: place,
                 radius: block.require(fields.radius, "radius")?,
                 attenuation,
             },
         };
-        Ok(LightSpec {
-            color: block.require(fields.color, "color")?,
-            kind,
-            position: keyword.position,
-        })
+        Ok(LightSpec { color: block.require(fields.color, "color")?, kind, position: keyword.position })
     }
 
     fn light_field(&mut self, fields: &mut Fields, field: Token<'a>) -> Parsed<()> {

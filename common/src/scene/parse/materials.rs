@@ -20,14 +20,7 @@ use crate::scene::diagnostic::Parsed;
 use crate::scene::lexer::Token;
 use crate::scene::{ImageTexture, Material, PhongMaterial};
 
-const MATERIALS: [&str; 6] = [
-    "Material",
-    "PhongMaterial",
-    "Checkerboard",
-    "Noise",
-    "Marble",
-    "Wood",
-];
+const MATERIALS: [&str; 6] = ["Material", "PhongMaterial", "Checkerboard", "Noise", "Marble", "Wood"];
 
 const PHONG_FIELDS: [&str; 9] = [
     "diffuseColor",
@@ -90,9 +83,6 @@ impl<'a> Parser<'a> {
                 _ => scale = self.numbers(field)?.map(|s| s as f32),
             }
         }
-        Ok(ImageTexture {
-            file: block.require(file, "file")?,
-            scale,
-        })
+        Ok(ImageTexture { file: block.require(file, "file")?, scale })
     }
 }

@@ -32,14 +32,8 @@ use background::BackgroundFields;
 use std::sync::Arc;
 
 /// What the top level of a file may hold.
-const BLOCKS: [&str; 6] = [
-    "OrthographicCamera",
-    "PerspectiveCamera",
-    "Background",
-    "Lights",
-    "Materials",
-    "Group",
-];
+const BLOCKS: [&str; 6] =
+    ["OrthographicCamera", "PerspectiveCamera", "Background", "Lights", "Materials", "Group"];
 
 /// Parses a whole scene text.
 pub(super) fn parse<'a>(text: &'a str, meshes: &'a mut dyn MeshSource) -> Parsed<Scene> {
@@ -76,12 +70,7 @@ struct Blocks {
 
 impl<'a> Parser<'a> {
     fn new(text: &'a str, source: &'a mut dyn MeshSource) -> Self {
-        Self {
-            lexer: Lexer::new(text),
-            source,
-            meshes: Vec::new(),
-            materials: None,
-        }
+        Self { lexer: Lexer::new(text), source, meshes: Vec::new(), materials: None }
     }
 
     fn block(&mut self, blocks: &mut Blocks, keyword: Token<'a>) -> Parsed<()> {
@@ -107,18 +96,12 @@ impl<'a> Parser<'a> {
                 .fail();
         };
         let Some((_, nodes)) = blocks.group else {
-            return Fault::new(
-                end.span,
-                "this file has no `Group`, so there is nothing to see",
-            )
-            .help("add `Group { numObjects … }` with the objects")
-            .fail();
+            return Fault::new(end.span, "this file has no `Group`, so there is nothing to see")
+                .help("add `Group { numObjects … }` with the objects")
+                .fail();
         };
         let lights = blocks.lights.map(|(_, lights)| lights).unwrap_or_default();
-        let background = blocks
-            .background
-            .map(|(_, fields)| fields)
-            .unwrap_or_default();
+        let background = blocks.background.map(|(_, fields)| fields).unwrap_or_default();
         Ok(Scene {
             camera,
             background: background.with_defaults(lights.is_empty()),
@@ -144,8 +127,6 @@ impl Blocks {
             "OrthographicCamera" | "PerspectiveCamera" => "a second camera".to_owned(),
             other => format!("a second `{other}` block"),
         };
-        Fault::new(keyword.span, message)
-            .context(first, "first given here")
-            .fail()
+        Fault::new(keyword.span, message).context(first, "first given here").fail()
     }
 }

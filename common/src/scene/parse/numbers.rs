@@ -14,8 +14,8 @@ use crate::scene::diagnostic::{Fault, Parsed};
 use crate::scene::lexer::{Span, Token, TokenKind};
 
 const ORDINALS: [&str; 16] = [
-    "first", "second", "third", "4th", "5th", "6th", "7th", "8th", "9th", "10th", "11th", "12th",
-    "13th", "14th", "15th", "16th",
+    "first", "second", "third", "4th", "5th", "6th", "7th", "8th", "9th", "10th", "11th", "12th", "13th",
+    "14th", "15th", "16th",
 ];
 
 /// A count or index with its place, for later complaints.
@@ -60,11 +60,7 @@ impl<'a> Parser<'a> {
     pub(super) fn direction(&mut self, field: Token<'a>) -> Parsed<DVec3> {
         let vector = self.vector(field)?;
         if vector.as_vec3() == Vec3::ZERO {
-            return Fault::new(
-                field.span,
-                format!("`{}` must not be the zero vector", field.text),
-            )
-            .fail();
+            return Fault::new(field.span, format!("`{}` must not be the zero vector", field.text)).fail();
         }
         Ok(vector)
     }
@@ -101,47 +97,29 @@ impl<'a> Parser<'a> {
         let fault = |message| Box::new(Fault::new(token.span, message));
         let wanted = || wanted("a whole number", field, 0, 1);
         if token.kind != TokenKind::Word || !is_integer(token.text) {
-            return Err(fault(format!(
-                "expected {}, found {}",
-                wanted(),
-                found(token)
-            )));
+            return Err(fault(format!("expected {}, found {}", wanted(), found(token))));
         }
         if token.text.starts_with('-') && token.text.bytes().any(|b| matches!(b, b'1'..=b'9')) {
-            let message = format!(
-                "`{}` must not be negative, found {}",
-                field.text,
-                found(token)
-            );
+            let message = format!("`{}` must not be negative, found {}", field.text, found(token));
             return Err(fault(message));
         }
         let digits = token.text.trim_start_matches(['+', '-']);
-        let value = digits.parse().map_err(|_| {
-            fault(format!(
-                "{} is too large for `{}`",
-                quoted(token.text),
-                field.text
-            ))
-        })?;
-        Ok(Count {
-            value,
-            span: token.span,
-        })
+        let value = digits
+            .parse()
+            .map_err(|_| fault(format!("{} is too large for `{}`", quoted(token.text), field.text)))?;
+        Ok(Count { value, span: token.span })
     }
 
     /// A file name, as written.
     pub(super) fn name(&mut self, field: Token<'a>) -> Parsed<Token<'a>> {
-        let token = self.lexer.name().map_err(|open| {
-            Fault::new(open.span, "this quoted file name is not closed on its line")
-        })?;
+        let token = self
+            .lexer
+            .name()
+            .map_err(|open| Fault::new(open.span, "this quoted file name is not closed on its line"))?;
         if token.kind == TokenKind::Word && !token.text.is_empty() {
             return Ok(token);
         }
-        let message = format!(
-            "expected a file name for `{}`, found {}",
-            field.text,
-            found(token)
-        );
+        let message = format!("expected a file name for `{}`, found {}", field.text, found(token));
         Fault::new(token.span, message).fail()
     }
 }
@@ -213,8 +191,8 @@ mod tests {
             assert!(good.parse::<f64>().is_ok(), "{good}");
         }
         for bad in [
-            "", ".", "+", "-", "e5", "1e", "1e+", "1.2.3", "--1", "nan", "inf", "0x10", "1f",
-            "1,0", "1e1.5", "infinity", "1_000", "+-1", ".e1",
+            "", ".", "+", "-", "e5", "1e", "1e+", "1.2.3", "--1", "nan", "inf", "0x10", "1f", "1,0", "1e1.5",
+            "infinity", "1_000", "+-1", ".e1",
         ] {
             assert!(!is_decimal(bad), "{bad}");
         }

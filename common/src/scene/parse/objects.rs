@@ -49,11 +49,7 @@ struct Tree<'a> {
 impl<'a> Parser<'a> {
     /// Reads the file's outermost group and all that is in it.
     pub(super) fn objects(&mut self, keyword: Token<'a>) -> Parsed<Vec<Node>> {
-        let mut tree = Tree {
-            nodes: Vec::new(),
-            stack: Vec::new(),
-            material: None,
-        };
+        let mut tree = Tree { nodes: Vec::new(), stack: Vec::new(), material: None };
         self.object(&mut tree, keyword)?;
         while let Some(frame) = tree.stack.last() {
             let allowed = frame.content.allowed();
@@ -90,11 +86,7 @@ impl<'a> Parser<'a> {
             }
             "Transform" => {
                 let block = self.open(keyword)?;
-                tree.enter(
-                    block,
-                    NodeKind::Transform(Vec::new()),
-                    Content::Transform(None),
-                );
+                tree.enter(block, NodeKind::Transform(Vec::new()), Content::Transform(None));
             }
             _ => {
                 let material = self.current_material(tree, keyword)?;
@@ -108,10 +100,7 @@ impl<'a> Parser<'a> {
     fn current_material(&self, tree: &Tree, keyword: Token<'a>) -> Parsed<u32> {
         tree.material.ok_or_else(|| {
             let message = format!("this `{}` has no material", keyword.text);
-            Box::new(
-                Fault::new(keyword.span, message)
-                    .help("put a `MaterialIndex` before the first shape"),
-            )
+            Box::new(Fault::new(keyword.span, message).help("put a `MaterialIndex` before the first shape"))
         })
     }
 
@@ -130,9 +119,7 @@ impl<'a> Parser<'a> {
             1 => "the file has one material, with index 0".to_owned(),
             n => format!("the file has {n} materials, with indices 0 to {}", n - 1),
         };
-        Fault::new(span, format!("there is no material {value}"))
-            .help(range)
-            .fail()
+        Fault::new(span, format!("there is no material {value}")).help(range).fail()
     }
 
     fn stray(&self, tree: &Tree<'a>, token: Token<'a>, allowed: &[&str]) -> Fault {
@@ -143,20 +130,14 @@ impl<'a> Parser<'a> {
         if let Content::Transform(Some(object)) = frame.content {
             return Fault::new(
                 token.span,
-                format!(
-                    "expected `}}` after the one object of `Transform`, found {}",
-                    found(token)
-                ),
+                format!("expected `}}` after the one object of `Transform`, found {}", found(token)),
             )
             .context(object, "this is its object");
         }
         if token.kind == TokenKind::End {
-            return Fault::new(
-                token.span,
-                format!("the file ends inside of this `{}`", opener.text),
-            )
-            .label("expected `}`")
-            .context(opener.span, "block opened here");
+            return Fault::new(token.span, format!("the file ends inside of this `{}`", opener.text))
+                .label("expected `}`")
+                .context(opener.span, "block opened here");
         }
         let what = match frame.content {
             Content::Group(_) => "an object or `MaterialIndex`",
@@ -200,11 +181,7 @@ impl<'a> Tree<'a> {
 
     fn enter(&mut self, block: Block<'a>, kind: NodeKind, content: Content) {
         let node = self.add(block.keyword, kind);
-        self.stack.push(Frame {
-            node,
-            block,
-            content,
-        });
+        self.stack.push(Frame { node, block, content });
     }
 
     fn push_xform(&mut self, xform: crate::scene::Xform) {

@@ -76,10 +76,7 @@ impl<'a> Parser<'a> {
         let mut block = self.open(keyword)?;
         let mut vertices = [None; 3];
         while let Some(field) = self.field(&mut block, &FIELDS)? {
-            let index = FIELDS
-                .iter()
-                .position(|name| *name == field.text)
-                .unwrap_or(2);
+            let index = FIELDS.iter().position(|name| *name == field.text).unwrap_or(2);
             vertices[index] = Some(self.vector(field)?);
         }
         Ok(ShapeSpec::Triangle {
@@ -100,10 +97,7 @@ impl<'a> Parser<'a> {
                 _ => smooth = self.flag(field)?,
             }
         }
-        Ok(ShapeSpec::Mesh {
-            mesh: block.require(mesh, "obj_file")?,
-            smooth,
-        })
+        Ok(ShapeSpec::Mesh { mesh: block.require(mesh, "obj_file")?, smooth })
     }
 
     /// Index of the mesh that a file name stands for; the same mesh has the same index.
@@ -117,10 +111,7 @@ impl<'a> Parser<'a> {
     }
 
     fn mesh_index(&mut self, mesh: Arc<Mesh>) -> u32 {
-        let known = self
-            .meshes
-            .iter()
-            .position(|other| Arc::ptr_eq(other, &mesh));
+        let known = self.meshes.iter().position(|other| Arc::ptr_eq(other, &mesh));
         known.unwrap_or_else(|| {
             self.meshes.push(mesh);
             self.meshes.len() - 1
@@ -132,11 +123,7 @@ impl<'a> Parser<'a> {
         match value {
             0 => Ok(false),
             1 => Ok(true),
-            _ => Fault::new(
-                span,
-                format!("`{}` must be 0 or 1, found `{value}`", field.text),
-            )
-            .fail(),
+            _ => Fault::new(span, format!("`{}` must be 0 or 1, found `{value}`", field.text)).fail(),
         }
     }
 }

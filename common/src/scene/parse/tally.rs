@@ -32,21 +32,13 @@ impl<'a> Parser<'a> {
         let token = self.lexer.next();
         if token.text != field {
             let name = block.keyword.text;
-            let message = format!(
-                "expected `{field}` at the start of `{name}`, found {}",
-                found(token)
-            );
+            let message = format!("expected `{field}` at the start of `{name}`, found {}", found(token));
             let help = nearest(token.text, [field]);
             return Fault::new(token.span, message)
                 .help_if_any(help.map(|name| format!("did you mean `{name}`?")))
                 .fail();
         }
-        Ok(Tally {
-            field,
-            thing,
-            announced: self.count(token)?,
-            come: 0,
-        })
+        Ok(Tally { field, thing, announced: self.count(token)?, come: 0 })
     }
 }
 
@@ -57,19 +49,9 @@ impl Tally {
         if self.come <= self.announced.value {
             return Ok(());
         }
-        let Self {
-            field,
-            thing,
-            announced,
-            come,
-        } = self;
-        let message = format!(
-            "`{field}` says {}, but here is {thing} number {come}",
-            announced.value
-        );
-        Fault::new(span, message)
-            .context(announced.span, "announced here")
-            .fail()
+        let Self { field, thing, announced, come } = self;
+        let message = format!("`{field}` says {}, but here is {thing} number {come}", announced.value);
+        Fault::new(span, message).context(announced.span, "announced here").fail()
     }
 
     /// Complains at the closing brace if things are missing.
@@ -77,19 +59,10 @@ impl Tally {
         if self.come == self.announced.value {
             return Ok(());
         }
-        let Self {
-            field,
-            thing,
-            announced,
-            come,
-        } = self;
+        let Self { field, thing, announced, come } = self;
         let plural = if *come == 1 { "" } else { "s" };
-        let message = format!(
-            "`{field}` says {}, but the block ends after {come} {thing}{plural}",
-            announced.value
-        );
-        Fault::new(close, message)
-            .context(announced.span, "announced here")
-            .fail()
+        let message =
+            format!("`{field}` says {}, but the block ends after {come} {thing}{plural}", announced.value);
+        Fault::new(close, message).context(announced.span, "announced here").fail()
     }
 }

@@ -33,21 +33,11 @@ struct Fields {
 
 impl<'a> Parser<'a> {
     /// `index` is the texture's own material index.
-    pub(super) fn solid_texture(
-        &mut self,
-        keyword: Token<'a>,
-        index: usize,
-    ) -> Parsed<SolidTexture> {
+    pub(super) fn solid_texture(&mut self, keyword: Token<'a>, index: usize) -> Parsed<SolidTexture> {
         let allowed: &[&str] = match keyword.text {
             "Checkerboard" => &["Transform", "materialIndex"],
             "Noise" => &["Transform", "materialIndex", "octaves"],
-            _ => &[
-                "Transform",
-                "materialIndex",
-                "octaves",
-                "frequency",
-                "amplitude",
-            ],
+            _ => &["Transform", "materialIndex", "octaves", "frequency", "amplitude"],
         };
         let mut block = self.open(keyword)?;
         let mut fields = Fields::default();
@@ -68,12 +58,9 @@ impl<'a> Parser<'a> {
         match field {
             Some(field) if field.text != "materialIndex" => block.reject_repeated(field)?,
             Some(field) if fields.children.len() == 2 => {
-                return Fault::new(
-                    field.span,
-                    format!("a third material in `{}`", block.keyword.text),
-                )
-                .help("a texture blends exactly two materials")
-                .fail();
+                return Fault::new(field.span, format!("a third material in `{}`", block.keyword.text))
+                    .help("a texture blends exactly two materials")
+                    .fail();
             }
             _ => {}
         }
@@ -107,11 +94,8 @@ impl<'a> Parser<'a> {
         if (value as usize) < own {
             return Ok(value);
         }
-        let message =
-            format!("this texture is material {own}, so it cannot blend material {value}");
-        Fault::new(span, message)
-            .help("a texture blends materials that stand before it in the file")
-            .fail()
+        let message = format!("this texture is material {own}, so it cannot blend material {value}");
+        Fault::new(span, message).help("a texture blends materials that stand before it in the file").fail()
     }
 
     fn octaves(&mut self, field: Token<'a>) -> Parsed<u32> {
@@ -145,9 +129,7 @@ impl Fields {
         let amplitude = || block.require(self.amplitude, "amplitude");
         Ok(match block.keyword.text {
             "Checkerboard" => SolidTextureKind::Checkerboard,
-            "Noise" => SolidTextureKind::Noise {
-                octaves: octaves()?,
-            },
+            "Noise" => SolidTextureKind::Noise { octaves: octaves()? },
             "Marble" => SolidTextureKind::Marble {
                 octaves: octaves()?,
                 frequency: frequency()?,

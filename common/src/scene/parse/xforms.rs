@@ -15,17 +15,8 @@ use crate::scene::diagnostic::{Fault, Parsed};
 use crate::scene::lexer::{Token, TokenKind};
 
 /// The keywords.
-pub(super) const XFORMS: [&str; 9] = [
-    "Scale",
-    "UniformScale",
-    "Translate",
-    "XRotate",
-    "YRotate",
-    "ZRotate",
-    "Rotate",
-    "Matrix4f",
-    "Matrix",
-];
+pub(super) const XFORMS: [&str; 9] =
+    ["Scale", "UniformScale", "Translate", "XRotate", "YRotate", "ZRotate", "Rotate", "Matrix4f", "Matrix"];
 
 /// A matrix whose rows and columns are scaled to largest entry 1 is singular if its determinant
 /// is no larger than this: what rounding leaves of an exact zero, with room to spare.
@@ -57,10 +48,7 @@ impl<'a> Parser<'a> {
         if !is_singular(linear) {
             return Ok(xform);
         }
-        let message = format!(
-            "this `{}` is singular: it flattens what it transforms",
-            keyword.text
-        );
+        let message = format!("this `{}` is singular: it flattens what it transforms", keyword.text);
         Fault::new(keyword.span, message)
             .help("a transform must be invertible; use a small factor instead of zero")
             .fail()
@@ -72,11 +60,7 @@ impl<'a> Parser<'a> {
         self.close(keyword, "four numbers")?;
         let axis = DVec3::new(x, y, z);
         if axis.as_vec3() == Vec3::ZERO {
-            return Fault::new(
-                keyword.span,
-                "the axis of `Rotate` must not be the zero vector",
-            )
-            .fail();
+            return Fault::new(keyword.span, "the axis of `Rotate` must not be the zero vector").fail();
         }
         Ok(Xform::Rotate(axis, degrees))
     }
@@ -99,11 +83,8 @@ impl<'a> Parser<'a> {
         if token.kind == TokenKind::Close {
             return Ok(());
         }
-        let message = format!(
-            "expected `}}` after the {after} of `{}`, found {}",
-            keyword.text,
-            found(token)
-        );
+        let message =
+            format!("expected `}}` after the {after} of `{}`, found {}", keyword.text, found(token));
         Fault::new(token.span, message).fail()
     }
 }
@@ -118,8 +99,7 @@ fn is_singular(matrix: DMat3) -> bool {
         };
         scaled = columns.transpose();
     }
-    // The comparison is this way round so that a NaN counts as singular.
-    !(scaled.determinant().abs() > SINGULAR)
+    scaled.determinant().abs() <= SINGULAR
 }
 
 /// Divides each column by its largest entry; `None` if a column is zero.
@@ -127,11 +107,7 @@ fn unit_columns(matrix: DMat3) -> Option<DMat3> {
     let largest = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|c| c.abs().max_element());
     let nonzero = largest.iter().all(|&entry| entry > 0.0);
     nonzero.then(|| {
-        DMat3::from_cols(
-            matrix.x_axis / largest[0],
-            matrix.y_axis / largest[1],
-            matrix.z_axis / largest[2],
-        )
+        DMat3::from_cols(matrix.x_axis / largest[0], matrix.y_axis / largest[1], matrix.z_axis / largest[2])
     })
 }
 
@@ -144,12 +120,8 @@ mod tests {
         let turned = DMat3::from_rotation_z(0.3);
         for factor in [1e-30, 1e-6, 1.0, 1e30] {
             assert!(!is_singular(turned * factor));
-            assert!(!is_singular(
-                DMat3::from_diagonal(DVec3::new(factor, 1.0, 1.0)) * turned
-            ));
-            assert!(!is_singular(
-                turned * DMat3::from_diagonal(DVec3::new(1.0, factor, 1.0))
-            ));
+            assert!(!is_singular(DMat3::from_diagonal(DVec3::new(factor, 1.0, 1.0)) * turned));
+            assert!(!is_singular(turned * DMat3::from_diagonal(DVec3::new(1.0, factor, 1.0))));
         }
     }
 

@@ -1,0 +1,110 @@
+//! One part at a time: reading a mesh, building a grid, tracing rays on one thread.
+
+use crate::sample::Sample;
+use a5_grid::{Cells, Fit, Grid};
+use common::accel::{Accel, List};
+use common::camera::{Camera, screen_position};
+use common::cli::{AppError, say};
+use common::counters::Counters;
+use common::geometry::{Geometry, Hit};
+use common::mesh::read_obj;
+use common::picture::Size;
+use common::ray::Ray;
+use common::scene;
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Instant;
+
+const SCENE: &str = "scenes/scene5_09_bunny_mesh_40k.txt";
+const MESH: &str = "scenes/meshes/bunny_40k.obj";
+
+/// One timed part: a name, how many units of work one round does, and the unit.
+type Part<'a> = (&'static str, f64, &'static str, Box<dyn FnMut() + 'a>);
+
+/// Times every part `rounds` times, in turn.
+///
+/// # Errors
+/// If the scene cannot be read, or grid and list disagree.
+pub fn run(rounds: usize) -> Result<(), AppError> {
+    let scene = scene::load(Path::new(SCENE))?;
+    let geometry = Geometry::build(&scene)?;
+    let bounds = geometry.bounds().ok_or_else(|| AppError::Usage("the scene is empty".to_owned()))?;
+    let cells = || Cells::new([40, 40, 33], &bounds);
+    let grid = Grid::new(&geometry, cells(), Fit::Exact).map_err(AppError::Usage)?;
+    let list = List::new(&geometry);
+    let camera = Camera::new(&scene.camera);
+    let rays = camera_rays(&camera, 200)?;
+    verify(&grid, &list, &camera, &rays)?;
+    let megabytes = std::fs::metadata(MESH)?.len() as f64 / 1e6;
+    let few: Vec<Ray> = rays.iter().copied().step_by(400).collect();
+    let trace = |accel: &dyn Accel, rays: &[Ray]| {
+        let mut counters = Counters::default();
+        for ray in rays {
+            black_box(accel.nearest(ray, camera.interval, &mut counters));
+        }
+    };
+    let parts: Vec<Part> = vec![
+        ("read bunny_40k.obj", megabytes, "MB/s", Box::new(|| drop(black_box(read_obj(Path::new(MESH)))))),
+        (
+            "build grid 40x40x33, exact",
+            0.04,
+            "M triangles/s",
+            Box::new(|| {
+                drop(black_box(Grid::new(&geometry, cells(), Fit::Exact)));
+            }),
+        ),
+        (
+            "trace 40,000 camera rays, grid",
+            rays.len() as f64 / 1e6,
+            "Mrays/s",
+            Box::new(|| trace(&grid, &rays)),
+        ),
+        (
+            "trace 100 camera rays, list",
+            few.len() as f64 * 0.04,
+            "M tests/s",
+            Box::new(|| trace(&list, &few)),
+        ),
+    ];
+    report(rounds, parts);
+    Ok(())
+}
+
+fn camera_rays(camera: &Camera, side: u32) -> Result<Vec<Ray>, AppError> {
+    let size = Size::new(i64::from(side), i64::from(side))?;
+    let pixels = (0..side).flat_map(|y| (0..side).map(move |x| (f64::from(x) + 0.5, f64::from(y) + 0.5)));
+    Ok(pixels.map(|(x, y)| camera.ray(screen_position(size, x, y))).collect())
+}
+
+/// Grid and list must name the same hits before their speed means anything.
+fn verify(grid: &Grid, list: &List, camera: &Camera, rays: &[Ray]) -> Result<(), AppError> {
+    let mut counters = Counters::default();
+    let mut hit =
+        |accel: &dyn Accel, ray: &Ray| -> Option<Hit> { accel.nearest(ray, camera.interval, &mut counters) };
+    match rays.iter().step_by(37).find(|ray| hit(grid, ray) != hit(list, ray)) {
+        Some(ray) => Err(AppError::CheckFailed(format!("grid and list disagree on {ray:?}"))),
+        None => Ok(()),
+    }
+}
+
+fn report(rounds: usize, mut parts: Vec<Part>) {
+    let mut samples = vec![Sample::default(); parts.len()];
+    for round in 0..=rounds {
+        for ((_, _, _, work), sample) in parts.iter_mut().zip(&mut samples) {
+            let started = Instant::now();
+            work();
+            if round > 0 {
+                sample.add(started.elapsed().as_secs_f64() * 1e3);
+            }
+        }
+    }
+    say(&format!(
+        "{:<34} {:>9} {:>9} {:>9} {:>16}",
+        "milliseconds, one thread", "median", "25 %", "75 %", "rate at median"
+    ));
+    for ((name, units, unit, _), s) in parts.iter().zip(&samples) {
+        let rate = units / (s.median() / 1e3);
+        let (m, a, b) = (s.median(), s.quantile(0.25), s.quantile(0.75));
+        say(&format!("{name:<34} {m:>9.3} {a:>9.3} {b:>9.3} {rate:>8.1} {unit}"));
+    }
+}

@@ -1,0 +1,72 @@
+//! Run time, measured. `cargo run --release -p bench -- pictures`, or `-- kernels`.
+//!
+//! What is compared is interleaved, so that a busy moment of the machine hits all alike, and
+//! medians are printed with their quartiles. Results are verified before anything is timed.
+//! Nothing here passes or fails by time.
+
+mod kernels;
+mod pictures;
+mod sample;
+
+use clap::Parser;
+use common::cli::{self, AppError};
+use std::process::ExitCode;
+
+/// Run time of raysteps: medians of interleaved rounds.
+#[derive(Parser)]
+#[command(name = "bench", version, rename_all = "snake_case")]
+struct Program {
+    #[command(subcommand)]
+    part: Part,
+}
+
+#[derive(clap::Subcommand)]
+enum Part {
+    /// Whole command lines, from process start to the written picture
+    Pictures {
+        /// Rounds; every round runs every command line once
+        #[arg(long, default_value_t = 31)]
+        rounds: usize,
+    },
+    /// Reading meshes, building grids, tracing rays, one part at a time
+    Kernels {
+        /// Rounds; every round runs every part once
+        #[arg(long, default_value_t = 31)]
+        rounds: usize,
+    },
+    /// One command line of assignment 5, as a process to be timed
+    #[command(hide = true)]
+    Child {
+        /// The command line, without the program's name.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        args: Vec<String>,
+    },
+}
+
+fn main() -> ExitCode {
+    let program = Program::parse();
+    cli::run(|| match program.part {
+        Part::Pictures { rounds } => pictures::run(rounds.max(1)),
+        Part::Kernels { rounds } => kernels::run(rounds.max(1)),
+        Part::Child { args } => child(args),
+    })
+}
+
+/// Does what the program `a5_grid` does, then says how much processor time it took.
+fn child(args: Vec<String>) -> Result<(), AppError> {
+    let words = std::iter::once("a5_grid".to_owned()).chain(args);
+    let parsed = cli::try_parse_from::<a5_grid::Program>(words).map_err(|stop| AppError::Usage(stop.text))?;
+    a5_grid::run(&parsed.options.args)?;
+    cli::say(&format!("cpu_ns {}", processor_time()?));
+    Ok(())
+}
+
+/// Nanoseconds that all threads of this process have run, from the kernel's scheduler.
+fn processor_time() -> Result<u64, AppError> {
+    let mut total = 0;
+    for task in std::fs::read_dir("/proc/self/task")? {
+        let text = std::fs::read_to_string(task?.path().join("schedstat"))?;
+        total += text.split(' ').next().and_then(|n| n.parse::<u64>().ok()).unwrap_or(0);
+    }
+    Ok(total)
+}

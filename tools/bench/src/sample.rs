@@ -1,0 +1,40 @@
+//! Order statistics of repeated measurements.
+
+/// Measurements of one thing, in milliseconds.
+#[derive(Clone, Debug, Default)]
+pub struct Sample {
+    values: Vec<f64>,
+}
+
+impl Sample {
+    /// Adds a measurement.
+    pub fn add(&mut self, milliseconds: f64) {
+        self.values.push(milliseconds);
+    }
+
+    /// The value below which a share of the measurements lies; NaN if there are none.
+    pub fn quantile(&self, share: f64) -> f64 {
+        let mut sorted = self.values.clone();
+        sorted.sort_by(f64::total_cmp);
+        let last = sorted.len().saturating_sub(1) as f64;
+        sorted.get((share * last).round() as usize).copied().unwrap_or(f64::NAN)
+    }
+
+    /// The middle measurement.
+    pub fn median(&self) -> f64 {
+        self.quantile(0.5)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_of_a_few() {
+        let mut s = Sample::default();
+        assert!(s.median().is_nan());
+        [5.0, 1.0, 3.0].map(|v| s.add(v));
+        assert_eq!((s.quantile(0.0), s.median(), s.quantile(1.0)), (1.0, 3.0, 5.0));
+    }
+}
