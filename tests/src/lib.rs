@@ -10,6 +10,7 @@
 pub mod battery;
 pub mod binary;
 mod command_line;
+pub mod cost;
 pub mod program;
 pub mod reference;
 

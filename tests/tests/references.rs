@@ -8,7 +8,7 @@ use common::picture::{Comparison, Film, Transfer, compare, triptych, write};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-use tests::{CommandLine, Picture, program, reference};
+use tests::{CommandLine, Picture, cost, program, reference};
 
 /// Levels by which a pixel may differ without counting.
 const TOLERANCE: u8 = 2;
@@ -89,6 +89,24 @@ fn bless() {
             drawn.insert(picture.stem().to_owned(), film);
         }
     }
+}
+
+/// The oracle's arithmetic may round differently on other machines, by a level and no more.
+#[test]
+fn small_references_are_what_the_oracle_draws() {
+    let mut seen = BTreeSet::new();
+    for line in CommandLine::of_ray_tracers().iter().filter(|line| cost::is_small(line)) {
+        if !line.pictures().iter().all(|picture| seen.insert(picture.file.clone())) {
+            continue;
+        }
+        for (picture, film) in reference::drawn(line) {
+            let kept = reference::kept(&picture).unwrap_or_else(|error| panic!("{line}\n  {error}"));
+            let result = compare(&kept, &film, Transfer::Linear, 1)
+                .unwrap_or_else(|error| panic!("{line}\n  {error}"));
+            assert_eq!(result.differing, 0, "{line}\n  {}: worst {}", picture.file, worst(&result));
+        }
+    }
+    assert!(seen.len() > 40, "only {} references are small enough", seen.len());
 }
 
 #[test]
