@@ -1,1 +1,24 @@
-//! Placeholder.
+//! What the tests of whole programs share.
+//!
+//! * [`CommandLine`]: the course's command lines, read from `tests/commands`;
+//! * [`program`]: runs one of them inside the test process, its pictures in a folder of choice;
+//! * [`reference`]: draws the same pictures with the double-precision oracle, and keeps them in
+//!   `tests/references`;
+//! * [`binary`] and [`battery`]: run the real programs, on good and on hostile input. The
+//!   `tests/cli.rs` of every assignment uses them.
+
+pub mod battery;
+pub mod binary;
+mod command_line;
+pub mod cost;
+pub mod program;
+pub mod reference;
+
+pub use command_line::{CommandLine, Picture, PictureKind};
+
+use std::path::{Path, PathBuf};
+
+/// A file of the workspace, given relative to its root.
+pub fn workspace_file(path: impl AsRef<Path>) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
+}

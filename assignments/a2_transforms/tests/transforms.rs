@@ -99,6 +99,19 @@ fn a2t1_transformed_planes_pass_through_the_transformed_points() {
     }
 }
 
+/// x + y = 0 stretched along y is x + y/2 = 0: the normal goes with M⁻ᵀ, here as anywhere.
+#[test]
+fn a2t3_normals_of_stretched_planes_stay_perpendicular() {
+    let plane = transformed("Scale 1 2 1", "Plane { normal 1 1 1 offset 0 }");
+    let studio = scene(FRONT, &plane);
+    let expected = Vec3::new(1.0, 0.5, 1.0).normalize();
+    assert!(signed_normals(&studio).pixels().iter().all(|n| (*n - expected).length() < 1e-6));
+    let film = distances(&studio);
+    for (i, j, x, y) in positions() {
+        assert!((film.get(i, j).x - (5.0 + x + y / 2.0)).abs() < 1e-5, "{i} {j}");
+    }
+}
+
 #[test]
 fn a2t1_triangles_have_their_edges_where_the_corners_say() {
     let film = distances(&scene(FRONT, "Triangle { vertex0 -1 -1 0 vertex1 1.5 -1 0 vertex2 -1 1.5 2 }"));

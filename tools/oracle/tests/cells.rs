@@ -134,6 +134,22 @@ fn touching_cells_count() {
 }
 
 #[test]
+fn rounding_leaves_nothing_outside_the_last_cell() {
+    // Here min + (max − min) rounds to less than max, where the second triangle lies.
+    let lowest = -4e-12f32;
+    assert!(f64::from(lowest) + (1.0 - f64::from(lowest)) < 1.0);
+    let world = world(
+        2,
+        "Triangle { vertex0 -4e-12 0 0 vertex1 -4e-12 1 0 vertex2 -4e-12 0 1 }
+         Triangle { vertex0 1 0 0 vertex1 1 1 0 vertex2 1 0 1 }",
+    );
+    for fit in [GridFit::Bounds, GridFit::Exact] {
+        let grid = CellGrid::new(&world, picture([2, 1, 1], fit));
+        assert_eq!((grid.count([0, 0, 0]), grid.count([1, 0, 0])), (1, 1));
+    }
+}
+
+#[test]
 fn a_flat_grid_can_be_seen_from_everywhere() {
     let flat = world(1, "Triangle { vertex0 0 0 1 vertex1 3 0 1 vertex2 0 3 1 }");
     let grid = grid(&flat, [3, 3, 3]);

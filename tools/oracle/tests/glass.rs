@@ -110,6 +110,13 @@ fn branches_below_the_weight_are_dropped() {
 }
 
 #[test]
+fn a_branch_exactly_at_the_cut_off_is_made() {
+    let red = |weight| ball(&Options { weight, ..bounces(1) }, "reflectiveColor 1 0 0");
+    close(red(1.0), DVec3::new(0.25, 0.0, 0.0), 1e-15);
+    assert_eq!(red(1.0 + f64::EPSILON), DVec3::ZERO);
+}
+
+#[test]
 fn light_goes_straight_through_the_middle_of_glass() {
     let glass = "transparentColor 0.5 1 0.25 indexOfRefraction 1.5";
     let kt = DVec3::new(0.5, 1.0, 0.25);

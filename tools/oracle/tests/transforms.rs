@@ -69,6 +69,15 @@ fn normals_use_the_inverse_transpose() {
 }
 
 #[test]
+fn normals_turn_with_the_object() {
+    let world = world(1, "Transform { ZRotate 30 Plane { normal 1 0 0 offset 2 } }");
+    let normal = DVec3::new(0.75f64.sqrt(), 0.5, 0.0);
+    let hit = world.nearest(&ray(9.0 * normal, -normal), Range::FORWARD).unwrap();
+    close(hit.normal, normal, 1e-15);
+    near(hit.t, 7.0, 1e-14);
+}
+
+#[test]
 fn mirroring_keeps_outward_outward() {
     let world = world(1, "Transform { Scale -2 1 1 Sphere { center -1 0 0 radius 1 } }");
     let hit = world.nearest(&ray(DVec3::new(9.0, 0.0, 0.0), -DVec3::X), Range::FORWARD).unwrap();

@@ -1,0 +1,53 @@
+//! Runs a command line inside the test process: the same parser and the same `run` as the
+//! program's, without starting one.
+
+use crate::{CommandLine, Picture};
+use clap::Parser;
+use common::cli::{AppError, try_parse_from};
+use common::picture::{Film, Transfer, read};
+use std::path::Path;
+
+/// Parses words as the program `P` does.
+///
+/// # Panics
+/// If they are refused.
+pub fn parsed<P: Parser>(line: &CommandLine) -> P {
+    match try_parse_from::<P>(&line.words) {
+        Ok(parsed) => parsed.options,
+        Err(stop) => panic!("{line}\n{}", stop.text),
+    }
+}
+
+/// Runs a command line of assignments 1 to 5, its pictures going into `folder`. `-gui` is left
+/// out: a test opens no windows.
+///
+/// # Errors
+/// Those of the program.
+pub fn run(line: &CommandLine, folder: &Path) -> Result<(), AppError> {
+    let line = line.redirected(folder).without("-gui");
+    match line.assignment {
+        1 => a1_ray_casting::run(&parsed::<a1_ray_casting::Program>(&line).args),
+        2 => a2_transforms::run(&parsed::<a2_transforms::Program>(&line).args),
+        3 => a3_phong::run(&parsed::<a3_phong::Program>(&line).args),
+        4 => a4_whitted::run(&parsed::<a4_whitted::Program>(&line).args),
+        5 => a5_grid::run(&parsed::<a5_grid::Program>(&line).args),
+        other => Err(AppError::Usage(format!("assignment {other} draws no such pictures"))),
+    }
+}
+
+/// Runs a command line and reads back what it has written.
+///
+/// # Panics
+/// If the program fails or a picture is missing.
+pub fn pictures(line: &CommandLine) -> Vec<(Picture, Film)> {
+    let pictures = line.pictures();
+    if pictures.is_empty() {
+        return Vec::new();
+    }
+    let folder = tempfile::tempdir().expect("there is room for temporary files");
+    run(line, folder.path()).unwrap_or_else(|error| panic!("{line}\n{}", error.report()));
+    let film = |picture: &Picture| {
+        read(&folder.path().join(&picture.file), Transfer::Linear).unwrap_or_else(|e| panic!("{line}\n{e}"))
+    };
+    pictures.into_iter().map(|picture| (picture.clone(), film(&picture))).collect()
+}
