@@ -120,7 +120,7 @@ impl Bvh<'_> {
 }
 
 /// Most entries: depth times the seven children that wait beside the one followed.
-const STACK: usize = 512;
+const STACK: usize = 128;
 
 /// Children still to be visited, the nearest on top. The tree's depth is bounded when it is
 /// built, so the stack cannot overflow; every push is checked all the same.
