@@ -10,19 +10,8 @@ use common::picture::{Film, Transfer, write};
 use common::scene::Scene;
 use std::path::{Path, PathBuf};
 
-/// Phong shading, and a tessellated preview drawn with a z-buffer.
-#[derive(clap::Parser)]
-#[command(
-    name = "a3_phong",
-    version,
-    rename_all = "snake_case",
-    after_help = "Example:\n  a3_phong -input scenes/scene3_09_exponent_variations.txt -size 300 300 -output out.tga -preview preview.tga -tessellation 100 50 -gouraud"
-)]
-pub struct Program {
-    /// All flags.
-    #[command(flatten)]
-    pub args: PhongArgs,
-}
+/// Most polygons of a preview: about 3 GiB with all that belongs to them.
+const MOST_FACES: u64 = 1 << 24;
 
 /// Highlights and the preview.
 #[derive(Clone, Debug, clap::Args)]
@@ -115,11 +104,17 @@ impl PhongArgs {
     /// The scene as polygons.
     ///
     /// # Errors
-    /// If `-tessellation` asks for less than a closed sphere.
+    /// If `-tessellation` asks for less than a closed sphere, or for more than memory can hold.
     pub fn tessellate(&self, studio: &Studio) -> Result<Tessellation, AppError> {
         let resolution = self.resolution()?;
         let (geometry, viewpoint) = (&studio.geometry, studio.scene.camera.center);
-        Ok(Tessellator { geometry, resolution, smooth: self.gouraud, viewpoint }.run())
+        let tessellator = Tessellator { geometry, resolution, smooth: self.gouraud, viewpoint };
+        match tessellator.most_faces() {
+            0..=MOST_FACES => Ok(tessellator.run()),
+            n => Err(AppError::Usage(format!(
+                "-tessellation: {n} polygons are too many, at most {MOST_FACES}"
+            ))),
+        }
     }
 
     /// Draws and writes the preview, if asked for. [`Studio::open`] has checked its file.
