@@ -13,6 +13,20 @@ use std::path::{Path, PathBuf};
 /// Most polygons of a preview: about 3 GiB with all that belongs to them.
 const MOST_FACES: u64 = 1 << 24;
 
+/// Phong shading, and a tessellated preview drawn with a z-buffer.
+#[derive(clap::Parser)]
+#[command(
+    name = "a3_phong",
+    version,
+    rename_all = "snake_case",
+    after_help = "Example:\n  a3_phong -input scenes/scene3_09_exponent_variations.txt -size 300 300 -output out.tga -preview preview.tga -tessellation 100 50 -gouraud"
+)]
+pub struct Program {
+    /// All flags.
+    #[command(flatten)]
+    pub args: PhongArgs,
+}
+
 /// Highlights and the preview.
 #[derive(Clone, Debug, clap::Args)]
 #[command(rename_all = "snake_case", next_help_heading = "Assignment 3: Phong shading and preview")]
