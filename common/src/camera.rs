@@ -178,7 +178,10 @@ mod tests {
             }
         }
         let flat = camera(CameraKind::Orthographic { size: 4.0 });
-        assert_eq!(flat.project(DVec3::new(1.0, 2.0, 7.0)), Projection { screen: DVec3::new(0.5, 0.5, 1.0), depth: 3.0 });
+        assert_eq!(
+            flat.project(DVec3::new(1.0, 2.0, 7.0)),
+            Projection { screen: DVec3::new(0.5, 0.5, 1.0), depth: 3.0 }
+        );
     }
 
     /// A rectangle that "cannot see" a box has no ray that enters it; and the test is not idle.

@@ -9,10 +9,7 @@ const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n\
 
 /// The same file by tobj alone.
 fn by_tobj(text: &str) -> Option<(Vec<f32>, Vec<u32>)> {
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        ..Default::default()
-    };
+    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
     let no_materials = |_: &std::path::Path| Ok(Default::default());
     let (models, _) = tobj::load_obj_buf(&mut text.as_bytes(), &options, no_materials).ok()?;
     let [model] = <[tobj::Model; 1]>::try_from(models).ok()?;
@@ -22,9 +19,7 @@ fn by_tobj(text: &str) -> Option<(Vec<f32>, Vec<u32>)> {
 /// Corner coordinates of all triangles, in order.
 fn corners(mesh: &Mesh) -> Vec<f32> {
     let indices = mesh.triangles.iter().flatten();
-    indices
-        .flat_map(|&i| mesh.positions[i as usize].to_array())
-        .collect()
+    indices.flat_map(|&i| mesh.positions[i as usize].to_array()).collect()
 }
 
 proptest! {
@@ -91,12 +86,7 @@ proptest! {
 fn check(mesh: &Mesh) -> Result<(), TestCaseError> {
     let count = mesh.positions.len();
     prop_assert!(mesh.positions.iter().all(|p| p.is_finite()));
-    prop_assert!(
-        mesh.triangles
-            .iter()
-            .flatten()
-            .all(|&i| (i as usize) < count)
-    );
+    prop_assert!(mesh.triangles.iter().flatten().all(|&i| (i as usize) < count));
     prop_assert!(!mesh.triangles.is_empty());
     prop_assert!([0, count].contains(&mesh.normals.len()));
     prop_assert!([0, count].contains(&mesh.uvs.len()));

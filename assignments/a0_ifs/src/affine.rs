@@ -18,9 +18,7 @@ pub struct Affine2 {
 
 impl Affine2 {
     /// The map that leaves every point where it is.
-    pub const IDENTITY: Self = Self {
-        rows: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
-    };
+    pub const IDENTITY: Self = Self { rows: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] };
 
     /// The image of a point.
     pub fn apply(&self, p: Point2) -> Point2 {
@@ -32,13 +30,9 @@ impl Affine2 {
     pub fn after(&self, first: &Self) -> Self {
         let [u, v] = first.rows;
         Self {
-            rows: self.rows.map(|[a, b, c]| {
-                [
-                    a * u[0] + b * v[0],
-                    a * u[1] + b * v[1],
-                    a * u[2] + b * v[2] + c,
-                ]
-            }),
+            rows: self
+                .rows
+                .map(|[a, b, c]| [a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2] + c]),
         }
     }
 }

@@ -54,10 +54,7 @@ impl ChaosGame {
     /// Where point number `index` ends up. It starts uniformly distributed in [0, 1)².
     pub fn point(&self, index: u64) -> Point2 {
         let mut random = stream(self.seed, index);
-        let start = Point2 {
-            x: unit(random.next_u64()),
-            y: unit(random.next_u64()),
-        };
+        let start = Point2 { x: unit(random.next_u64()), y: unit(random.next_u64()) };
         self.carry(start, &mut random)
     }
 

@@ -32,20 +32,13 @@ impl AliasTable {
         let count = u32::try_from(parts.len()).expect("at most 2^32 things to choose from");
         assert!(count > 0, "nothing to choose from");
         parts.iter_mut().for_each(|part| *part *= f64::from(count));
-        let own = |alias| Cell {
-            threshold: WHOLE as u64,
-            alias,
-        };
+        let own = |alias| Cell { threshold: WHOLE as u64, alias };
         let mut cells: Vec<Cell> = (0..count).map(own).collect();
-        let (mut small, mut large): (Vec<u32>, Vec<u32>) =
-            (0..count).partition(|&i| parts[i as usize] < 1.0);
+        let (mut small, mut large): (Vec<u32>, Vec<u32>) = (0..count).partition(|&i| parts[i as usize] < 1.0);
         // Each round fills one cell for good with the rest of a larger one.
         while let (Some(poor), Some(&rich)) = (small.pop(), large.last()) {
             let part = parts[poor as usize];
-            cells[poor as usize] = Cell {
-                threshold: (part * WHOLE) as u64,
-                alias: rich,
-            };
+            cells[poor as usize] = Cell { threshold: (part * WHOLE) as u64, alias: rich };
             parts[rich as usize] -= 1.0 - part;
             if parts[rich as usize] < 1.0 {
                 small.extend(large.pop());
@@ -101,10 +94,7 @@ mod tests {
         let table = AliasTable::new([0.25, 0.75]);
         let steps = 1 << 12;
         let chosen = |i: u64| table.choose(i << 52) == 0;
-        assert_eq!(
-            (0..steps).filter(|&i| chosen(i)).count(),
-            steps as usize / 4
-        );
+        assert_eq!((0..steps).filter(|&i| chosen(i)).count(), steps as usize / 4);
         assert!(table.choose(u64::MAX) < 2);
         assert_eq!(AliasTable::new([1.0]).choose(u64::MAX), 0);
     }

@@ -25,11 +25,7 @@ impl IfsError {
     /// An error of the file as a whole.
     pub(crate) fn of_file(path: &Path, message: impl Into<String>) -> Self {
         let message = message.into();
-        Self {
-            rendered: format!("error: {message}\n --> {}", path.display()),
-            position: None,
-            message,
-        }
+        Self { rendered: format!("error: {message}\n --> {}", path.display()), position: None, message }
     }
 
     /// An error at `length` bytes of `text`, from byte `offset` on.
@@ -42,11 +38,7 @@ impl IfsError {
     ) -> Self {
         let message = message.into();
         let place = Place::of(text, offset, length);
-        Self {
-            rendered: place.render(&message, path),
-            position: Some((place.line, place.column)),
-            message,
-        }
+        Self { rendered: place.render(&message, path), position: Some((place.line, place.column)), message }
     }
 
     /// What is wrong, without the place.
@@ -95,13 +87,7 @@ impl<'a> Place<'a> {
         let carets = "^".repeat(marked.chars().count().max(1));
         let line = format!("{before}{marked}{}", first(self.after));
         let mut text = format!("error: {message}\n");
-        let _ = writeln!(
-            text,
-            "{margin}--> {}:{}:{}",
-            path.display(),
-            self.line,
-            self.column
-        );
+        let _ = writeln!(text, "{margin}--> {}:{}:{}", path.display(), self.line, self.column);
         let _ = writeln!(text, "{margin} |");
         let _ = writeln!(text, "{}", format!("{number} | {line}").trim_end());
         let _ = write!(text, "{margin} | {blank}{carets}");
@@ -147,14 +133,8 @@ mod tests {
             report(text, text.find('x').unwrap(), 1),
             "error: wrong\n --> a.txt:2:11\n  |\n2 |  0.5 häls x\n  |           ^"
         );
-        assert_eq!(
-            report(text, text.len(), 0),
-            "error: wrong\n --> a.txt:3:2\n  |\n3 | 1\n  |  ^"
-        );
-        assert_eq!(
-            report("", 0, 0),
-            "error: wrong\n --> a.txt:1:1\n  |\n1 |\n  | ^"
-        );
+        assert_eq!(report(text, text.len(), 0), "error: wrong\n --> a.txt:3:2\n  |\n3 | 1\n  |  ^");
+        assert_eq!(report("", 0, 0), "error: wrong\n --> a.txt:1:1\n  |\n1 |\n  | ^");
     }
 
     #[test]

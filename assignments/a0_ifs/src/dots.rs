@@ -17,10 +17,7 @@ impl Dots {
     /// An empty picture.
     pub fn new(size: Size) -> Self {
         let words = size.pixels().div_ceil(64);
-        Self {
-            size,
-            bits: (0..words).map(|_| AtomicU64::new(0)).collect(),
-        }
+        Self { size, bits: (0..words).map(|_| AtomicU64::new(0)).collect() }
     }
 
     /// A0T3. Plots a point of the unit square; others, NaN among them, are not in the picture.
@@ -58,13 +55,7 @@ impl Dots {
 
     /// Black dots on white.
     pub fn film(&self) -> Film {
-        Film::from_fn(self.size, |x, y| {
-            if self.get(x, y) {
-                Vec3::ZERO
-            } else {
-                Vec3::ONE
-            }
-        })
+        Film::from_fn(self.size, |x, y| if self.get(x, y) { Vec3::ZERO } else { Vec3::ONE })
     }
 }
 
@@ -78,14 +69,9 @@ mod tests {
         dots.plot(Point2 { x: 0.0, y: 0.0 });
         dots.plot(Point2 { x: 0.35, y: 0.99 });
         dots.plot(Point2 { x: 0.35, y: 0.99 });
-        dots.plot(Point2 {
-            x: 1.0_f64.next_down(),
-            y: 0.1,
-        });
-        let found: Vec<_> = (0..10)
-            .flat_map(|y| (0..10).map(move |x| (x, y)))
-            .filter(|&(x, y)| dots.get(x, y))
-            .collect();
+        dots.plot(Point2 { x: 1.0_f64.next_down(), y: 0.1 });
+        let found: Vec<_> =
+            (0..10).flat_map(|y| (0..10).map(move |x| (x, y))).filter(|&(x, y)| dots.get(x, y)).collect();
         assert_eq!(found, [(0, 0), (9, 1), (3, 9)]);
         assert_eq!(dots.count(), 3);
         assert_eq!(dots.film().get(3, 9), Vec3::ZERO);
@@ -95,14 +81,7 @@ mod tests {
     #[test]
     fn a0t3_points_outside_leave_no_dot() {
         let dots = Dots::new(Size::new(4, 4).unwrap());
-        for odd in [
-            -0.01,
-            1.0,
-            1e300,
-            f64::NAN,
-            f64::INFINITY,
-            -f64::MIN_POSITIVE,
-        ] {
+        for odd in [-0.01, 1.0, 1e300, f64::NAN, f64::INFINITY, -f64::MIN_POSITIVE] {
             dots.plot(Point2 { x: odd, y: 0.5 });
             dots.plot(Point2 { x: 0.5, y: odd });
         }

@@ -58,11 +58,7 @@ impl Ifs {
         assert!(steps > 0, "no steps are no map");
         let mut maps = self.maps.clone();
         for _ in 1..steps {
-            maps = self
-                .maps
-                .iter()
-                .flat_map(|last| maps.iter().map(|first| first.then(last)))
-                .collect();
+            maps = self.maps.iter().flat_map(|last| maps.iter().map(|first| first.then(last))).collect();
         }
         Self { maps }
     }
@@ -71,10 +67,7 @@ impl Ifs {
 impl WeightedMap {
     /// Both maps in order, chosen independently.
     fn then(&self, last: &Self) -> Self {
-        Self {
-            probability: self.probability * last.probability,
-            map: last.map.after(&self.map),
-        }
+        Self { probability: self.probability * last.probability, map: last.map.after(&self.map) }
     }
 }
 
@@ -83,12 +76,7 @@ mod tests {
     use super::*;
 
     fn entry(probability: f64, shift: f64) -> WeightedMap {
-        WeightedMap {
-            probability,
-            map: Affine2 {
-                rows: [[0.5, 0.0, shift], [0.0, 0.5, 0.0]],
-            },
-        }
+        WeightedMap { probability, map: Affine2 { rows: [[0.5, 0.0, shift], [0.0, 0.5, 0.0]] } }
     }
 
     #[test]
@@ -116,10 +104,7 @@ mod tests {
             let eighths = entry.map.rows[0][2] * 8.0;
             assert_eq!(eighths.fract(), 0.0);
             let ones = (eighths as u32).count_ones() as i32;
-            assert_eq!(
-                entry.probability,
-                0.75_f64.powi(ones) * 0.25_f64.powi(3 - ones)
-            );
+            assert_eq!(entry.probability, 0.75_f64.powi(ones) * 0.25_f64.powi(3 - ones));
         }
     }
 }

@@ -31,9 +31,7 @@ pub fn load(path: &Path) -> Result<Ifs, IfsError> {
 
 fn read_bytes(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let read = File::open(path)?
-        .take(LONGEST_FILE + 1)
-        .read_to_end(&mut bytes)?;
+    let read = File::open(path)?.take(LONGEST_FILE + 1).read_to_end(&mut bytes)?;
     if read as u64 > LONGEST_FILE {
         return Err(io::Error::other("it is longer than 64 MiB"));
     }
@@ -83,10 +81,7 @@ impl<'a> Reader<'a> {
             path,
             text,
             offset: text.len() - text.trim_start_matches(BYTE_ORDER_MARK).len(),
-            probability: Word {
-                text: "",
-                offset: 0,
-            },
+            probability: Word { text: "", offset: 0 },
         }
     }
 
@@ -98,10 +93,7 @@ impl<'a> Reader<'a> {
             .char_indices()
             .find(|&(i, c)| c.is_whitespace() || starts_comment(&rest[i..]))
             .map_or(rest.len(), |(i, _)| i);
-        let word = Word {
-            text: &rest[..length],
-            offset: self.offset,
-        };
+        let word = Word { text: &rest[..length], offset: self.offset };
         self.offset += length;
         word
     }
@@ -139,10 +131,7 @@ impl<'a> Reader<'a> {
         for expected in [0.0, 0.0, 1.0] {
             self.last_row(expected, name)?;
         }
-        Ok(WeightedMap {
-            probability,
-            map: Affine2 { rows },
-        })
+        Ok(WeightedMap { probability, map: Affine2 { rows } })
     }
 
     fn probability(&mut self, name: &str) -> Result<f64, IfsError> {
@@ -166,9 +155,7 @@ impl<'a> Reader<'a> {
     /// A finite number within the range of single precision, as C's `scanf` reads it.
     fn number(&mut self, what: &str) -> Result<(f64, Word<'a>), IfsError> {
         let word = self.word();
-        let is_decimal = !word
-            .text
-            .contains(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E'));
+        let is_decimal = !word.text.contains(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E'));
         let value: f64 = match word.text.parse() {
             Ok(value) if is_decimal => value,
             _ => return Err(self.expected(what, word)),

@@ -38,10 +38,7 @@ fn a0t3_picture_bytes() {
     assert!(output.status.success());
     assert!(output.stdout.is_empty() && output.stderr.is_empty());
     let bytes = fs::read(folder.path().join("s.tga")).unwrap();
-    assert_eq!(
-        bytes[..18],
-        [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0, 8, 0, 24, 0x20]
-    );
+    assert_eq!(bytes[..18], [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0, 8, 0, 24, 0x20]);
     let pixels: Vec<[u8; 3]> = (0..64)
         .map(|i| {
             let (x, y) = (i % 8, 7 - i / 8);
@@ -84,10 +81,7 @@ fn a0t1_bad_command_lines_and_files_are_refused() {
         ("-input s.txt", "-output <FILE>"),
         ("-input s.txt -output a.tga -size 0", "at least 1"),
         ("-input s.txt -output a.tga -size -5", "at least 1"),
-        (
-            "-input s.txt -output a.tga -size 1000000000000",
-            "too large",
-        ),
+        ("-input s.txt -output a.tga -size 1000000000000", "too large"),
         ("-input s.txt -output a.tga -points -1", "'-1'"),
         ("-input s.txt -output a.tga -iters 1.5", "'1.5'"),
         ("-input s.txt -output a.tga -point 5", "'-points'"),
@@ -98,10 +92,7 @@ fn a0t1_bad_command_lines_and_files_are_refused() {
     ] {
         let text = refusal(line);
         assert!(text.contains(part), "{line}\n{text}");
-        assert!(
-            !text.contains("panicked") && !text.contains("--size"),
-            "{text}"
-        );
+        assert!(!text.contains("panicked") && !text.contains("--size"), "{text}");
         assert_eq!(text.matches("error:").count(), 1, "{text}");
     }
 }
@@ -126,10 +117,7 @@ fn a0t3_help_shows_the_course_s_spelling() {
         let output = ifs(folder.path(), flag);
         assert_eq!(output.status.code(), Some(0));
         let text = String::from_utf8(output.stdout).unwrap();
-        assert!(
-            text.contains("Assignment 0:") && text.contains("-iters <K>"),
-            "{text}"
-        );
+        assert!(text.contains("Assignment 0:") && text.contains("-iters <K>"), "{text}");
         assert!(text.contains("Example:") && !text.contains("--"), "{text}");
     }
 }

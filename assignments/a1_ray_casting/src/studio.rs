@@ -90,28 +90,34 @@ impl Studio {
     pub fn render(&self, args: &CastArgs, accel: &dyn Accel, layers: &[&dyn Layer]) -> (Vec<Film>, Counters) {
         let needs_hit = layers.iter().any(|l| l.needs_hit());
         let options = args.general.tile_options("rendering");
-        let rendered = render(self.size, layers.len(), &options, || (), |(), tile, counters: &mut Counters, out| {
-            let empty = args.general.skips(Skip::Tile) && self.sees_nothing(tile);
-            for (x, y) in tile.pixels() {
-                let (sx, sy) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
-                let ray = self.camera.ray(screen_position(self.size, sx, sy));
-                let hit = match (needs_hit, empty) {
-                    (false, _) => None,
-                    (true, true) => {
-                        counters.skipped_empty_tile += 1;
-                        None
+        let rendered = render(
+            self.size,
+            layers.len(),
+            &options,
+            || (),
+            |(), tile, counters: &mut Counters, out| {
+                let empty = args.general.skips(Skip::Tile) && self.sees_nothing(tile);
+                for (x, y) in tile.pixels() {
+                    let (sx, sy) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
+                    let ray = self.camera.ray(screen_position(self.size, sx, sy));
+                    let hit = match (needs_hit, empty) {
+                        (false, _) => None,
+                        (true, true) => {
+                            counters.skipped_empty_tile += 1;
+                            None
+                        }
+                        (true, false) => {
+                            counters.rays += 1;
+                            accel.nearest(&ray, self.camera.interval, counters)
+                        }
+                    };
+                    let sight = Sight::new(&self.geometry, ray, hit);
+                    for (i, layer) in layers.iter().enumerate() {
+                        out.set(i, x, y, layer.value(&sight, counters));
                     }
-                    (true, false) => {
-                        counters.rays += 1;
-                        accel.nearest(&ray, self.camera.interval, counters)
-                    }
-                };
-                let sight = Sight::new(&self.geometry, ray, hit);
-                for (i, layer) in layers.iter().enumerate() {
-                    out.set(i, x, y, layer.value(&sight, counters));
                 }
-            }
-        });
+            },
+        );
         (rendered.films, rendered.counters)
     }
 
@@ -143,7 +149,10 @@ fn check_outputs(args: &CastArgs, outputs: &[&Path], size: Size) -> Result<(), A
             return Err(AppError::Usage(format!("two pictures would be written to {}", path.display())));
         }
         if *path == args.input {
-            return Err(AppError::Usage(format!("{} is the scene; a picture would destroy it", path.display())));
+            return Err(AppError::Usage(format!(
+                "{} is the scene; a picture would destroy it",
+                path.display()
+            )));
         }
         check_output(path, size)?;
     }

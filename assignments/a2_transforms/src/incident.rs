@@ -31,7 +31,8 @@ pub fn incident(light: &LightSpec, point: DVec3) -> Incident {
             let source = Source::Direction(towards);
             Incident { direction: towards.as_vec3(), color: light.color, source }
         }
-        LightKind::Point { position, attenuation } | LightKind::Sphere { center: position, attenuation, .. } => {
+        LightKind::Point { position, attenuation }
+        | LightKind::Sphere { center: position, attenuation, .. } => {
             let to_light = position - point;
             let color = light.color * falloff(attenuation, to_light.length());
             let direction = to_light.normalize_or_zero().as_vec3();

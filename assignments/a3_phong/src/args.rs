@@ -10,6 +10,9 @@ use common::picture::{Film, Transfer, write};
 use common::scene::Scene;
 use std::path::{Path, PathBuf};
 
+/// Most polygons of a preview: about 3 GiB with all that belongs to them.
+const MOST_FACES: u64 = 1 << 24;
+
 /// Phong shading, and a tessellated preview drawn with a z-buffer.
 #[derive(clap::Parser)]
 #[command(
@@ -115,11 +118,17 @@ impl PhongArgs {
     /// The scene as polygons.
     ///
     /// # Errors
-    /// If `-tessellation` asks for less than a closed sphere.
+    /// If `-tessellation` asks for less than a closed sphere, or for more than memory can hold.
     pub fn tessellate(&self, studio: &Studio) -> Result<Tessellation, AppError> {
         let resolution = self.resolution()?;
         let (geometry, viewpoint) = (&studio.geometry, studio.scene.camera.center);
-        Ok(Tessellator { geometry, resolution, smooth: self.gouraud, viewpoint }.run())
+        let tessellator = Tessellator { geometry, resolution, smooth: self.gouraud, viewpoint };
+        match tessellator.most_faces() {
+            0..=MOST_FACES => Ok(tessellator.run()),
+            n => Err(AppError::Usage(format!(
+                "-tessellation: {n} polygons are too many, at most {MOST_FACES}"
+            ))),
+        }
     }
 
     /// Draws and writes the preview, if asked for. [`Studio::open`] has checked its file.

@@ -37,26 +37,22 @@ pub struct Preview<'a, F> {
 impl<F: Fn(&Surface, Vec3) -> Vec3> Preview<'_, F> {
     /// Draws it. No shadows, mirrors or glass: light comes straight from the lamps.
     pub fn draw(&self, canvas: &Canvas) -> Film {
-        rasterise(canvas, &self.triangles())
-    }
-
-    fn triangles(&self) -> Vec<[Corner; 3]> {
         let vertices = &self.tessellation.vertices;
         let corners: Vec<Corner> = vertices.iter().map(|v| self.corner(v.point)).collect();
         let mut known = vec![[None; 2]; vertices.len()];
-        let mut triangles = Vec::new();
-        for face in &self.tessellation.faces {
+        let triangles = self.tessellation.faces.iter().flat_map(|face| {
             let flat = (self.shading == Shading::Flat).then(|| self.flat_color(face));
             let from_behind = self.sight(self.middle(face)).dot(face.normal) > 0.0;
-            let mut colored = |k: u32| {
-                let place = &mut known[k as usize][usize::from(from_behind)];
-                let color = flat
-                    .unwrap_or_else(|| *place.get_or_insert_with(|| self.smooth_color(face, k, from_behind)));
-                Corner { color, ..corners[k as usize] }
+            let mut color = |k: u32| {
+                let known = &mut known[k as usize][usize::from(from_behind)];
+                *known.get_or_insert_with(|| self.smooth_color(face, k, from_behind))
             };
-            triangles.extend(face.triangles().map(|t| t.map(&mut colored)));
-        }
-        triangles
+            face.split(
+                face.corners
+                    .map(|k| Corner { color: flat.unwrap_or_else(|| color(k)), ..corners[k as usize] }),
+            )
+        });
+        rasterise(canvas, triangles)
     }
 
     fn corner(&self, point: DVec3) -> Corner {

@@ -45,8 +45,8 @@ pub struct Canvas<'a> {
 /// Colours are blended linearly over the triangle in space. A pixel whose centre lies on an edge
 /// belongs to the triangle to the right of it, or below it if the edge is level (the usual
 /// top-left rule), so that of two triangles with a common edge exactly one gets it.
-pub fn rasterise(canvas: &Canvas, triangles: &[[Corner; 3]]) -> Film {
-    let prepared: Vec<Triangle> = triangles.iter().filter_map(|t| Triangle::new(canvas, t)).collect();
+pub fn rasterise(canvas: &Canvas, triangles: impl IntoIterator<Item = [Corner; 3]>) -> Film {
+    let prepared: Vec<Triangle> = triangles.into_iter().filter_map(|t| Triangle::new(canvas, &t)).collect();
     let bins = Bins::new(canvas.size, &prepared);
     let rendered =
         render(canvas.size, 1, &canvas.options, Vec::new, |depths, tile, _: &mut Counters, out| {

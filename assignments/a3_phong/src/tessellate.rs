@@ -50,10 +50,10 @@ pub struct Face {
 }
 
 impl Face {
-    /// Its one or two triangles.
-    pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
-        let [a, b, c, d] = self.corners;
-        std::iter::once([a, b, c]).chain((c != d).then_some([a, c, d]))
+    /// Its one or two triangles, made of what the caller knows of its corners.
+    pub fn split<T: Copy>(&self, [a, b, c, d]: [T; 4]) -> impl Iterator<Item = [T; 3]> + use<T> {
+        let is_triangle = self.corners[2] == self.corners[3];
+        std::iter::once([a, b, c]).chain((!is_triangle).then_some([a, c, d]))
     }
 }
 
@@ -101,6 +101,13 @@ impl Tessellator<'_> {
         // Stable, so that what lies at equal depth is drawn in the order in which rays find it.
         out.faces.sort_by_key(|f| f.primitive);
         out
+    }
+
+    /// At least as many polygons as there will be.
+    pub fn most_faces(&self) -> u64 {
+        let (round, sheets) = (self.geometry.solids().len() as u64, self.geometry.sheets().len() as u64);
+        let net = u64::from(self.resolution.theta) * u64::from(self.resolution.phi);
+        self.geometry.triangles().len() as u64 + round * net + sheets * net.max(sheet::PLANE_FACES)
     }
 
     /// The middle of the finite objects, and a distance from it that nothing which is finite

@@ -231,5 +231,9 @@ fn a3t3_impossible_flags_are_refused() {
     assert!(world::args("-preview p.png -tessellation 2 5").check().is_err());
     assert!(world::args("-preview p.png -tessellation 3 2").check().is_ok());
     assert!(world::args("").check().is_err(), "nothing to do");
+    let crowd = vec![SPHERE; 2];
+    assert!(
+        world::args("-tessellation 4096 4096").tessellate(&studio(ORTHOGRAPHIC, &crowd, SQUARE)).is_err()
+    );
     assert!(world::args("-preview p.png").outputs().iter().any(|p| p.ends_with("p.png")));
 }

@@ -33,7 +33,7 @@ fn covered(film: &Film) -> Vec<(u32, u32)> {
 fn times_covered(triangles: &[[(f64, f64); 3]]) -> Vec<u32> {
     let mut times = vec![0; (SIDE * SIDE) as usize];
     for &points in triangles {
-        let film = rasterise(&canvas(), &[triangle(points, 1.0, Vec3::ONE)]);
+        let film = rasterise(&canvas(), [triangle(points, 1.0, Vec3::ONE)]);
         times.iter_mut().zip(film.pixels()).for_each(|(n, c)| *n += u32::from(*c != Vec3::ZERO));
     }
     times
@@ -46,7 +46,7 @@ fn a3t3_top_and_left_edges_belong_to_a_triangle() {
     let expected: Vec<(u32, u32)> = (3..6).flat_map(|y| (2..6).map(move |x| (x, y))).collect();
     for triangles in [[[a, b, c], [a, c, d]], [[a, b, d], [b, c, d]], [[c, b, a], [d, c, a]]] {
         let drawn = triangles.map(|points| triangle(points, 1.0, Vec3::ONE));
-        assert_eq!(covered(&rasterise(&canvas(), &drawn)), expected);
+        assert_eq!(covered(&rasterise(&canvas(), drawn)), expected);
     }
 }
 
@@ -91,11 +91,11 @@ fn a3t3_the_nearest_wins_in_any_order() {
     let big = [(-50.0, -50.0), (150.0, -50.0), (-50.0, 150.0)];
     let layers = [(3.0, Vec3::X), (-2.0, Vec3::Y), (7.0, Vec3::Z)].map(|(z, c)| triangle(big, z, c));
     for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
-        let film = rasterise(&canvas(), &order.map(|k| layers[k]));
+        let film = rasterise(&canvas(), order.map(|k| layers[k]));
         assert!(film.pixels().iter().all(|&c| c == Vec3::Y), "{order:?}");
     }
     let equal = [triangle(big, 1.0, Vec3::X), triangle(big, 1.0, Vec3::Y)];
-    assert_eq!(rasterise(&canvas(), &equal).get(5, 5), Vec3::X, "at equal depth the first stays");
+    assert_eq!(rasterise(&canvas(), equal).get(5, 5), Vec3::X, "at equal depth the first stays");
 }
 
 /// Two triangles that pass through each other meet where their depths are equal.
@@ -103,7 +103,7 @@ fn a3t3_the_nearest_wins_in_any_order() {
 fn a3t3_intersecting_triangles_part_at_equal_depth() {
     let flat = triangle([(-50.0, -50.0), (150.0, -50.0), (-50.0, 150.0)], 12.0, Vec3::X);
     let slanted = [(-50.0, -50.0), (150.0, -50.0), (-50.0, 150.0)].map(|(x, y)| corner(x, y, x, Vec3::Y));
-    let film = rasterise(&canvas(), &[flat, slanted]);
+    let film = rasterise(&canvas(), [flat, slanted]);
     for x in 0..SIDE as u32 {
         // Depth x + ½ at pixel x: nearer than 12 up to x = 11.
         let expected = if x < 12 { Vec3::Y } else { Vec3::X };
@@ -123,11 +123,11 @@ fn a3t3_triangles_that_reach_behind_the_eye_are_cut_at_it() {
         color: Vec3::ONE,
     };
     let floor = [point(-1e6, 1e6), point(1e6, 1e6), point(0.0, -10.0)];
-    let film = rasterise(&eye, &[floor]);
+    let film = rasterise(&eye, [floor]);
     let expected: Vec<(u32, u32)> = (0..20).flat_map(|y| (0..40).map(move |x| (x, y))).collect();
     assert_eq!(covered(&film), expected);
     let behind = [point(-5.0, -1.0), point(5.0, -1.0), point(0.0, -9.0)];
-    assert!(covered(&rasterise(&eye, &[behind])).is_empty());
+    assert!(covered(&rasterise(&eye, [behind])).is_empty());
 }
 
 /// Colours are linear in space: on a receding floor the colour at depth w is w / 100, and depth
@@ -140,7 +140,7 @@ fn a3t3_colours_are_blended_in_perspective() {
         depth: w,
         color: Vec3::splat(w as f32 / 100.0),
     };
-    let film = rasterise(&eye, &[[point(-200.0, 100.0), point(200.0, 100.0), point(0.0, 0.1)]]);
+    let film = rasterise(&eye, [[point(-200.0, 100.0), point(200.0, 100.0), point(0.0, 0.1)]]);
     for y in 0..19 {
         let below_horizon = 0.5 - (f64::from(y) + 0.5) / SIDE as f64;
         let expected = 1.0 / below_horizon / 100.0;
@@ -158,7 +158,7 @@ fn a3t3_triangles_without_area_draw_nothing_and_break_nothing() {
         [(f64::INFINITY, 0.0), (30.0, 0.0), (0.0, 30.0)],
     ];
     for points in odd {
-        let film = rasterise(&canvas(), &[triangle(points, 1.0, Vec3::ONE)]);
+        let film = rasterise(&canvas(), [triangle(points, 1.0, Vec3::ONE)]);
         assert!(covered(&film).is_empty(), "{points:?}");
     }
 }

@@ -17,7 +17,7 @@ fn cut(object: &str, theta: u32, phi: u32) -> Tessellation {
 }
 
 fn corners(t: &Tessellation) -> impl Iterator<Item = [DVec3; 3]> + '_ {
-    t.faces.iter().flat_map(|f| f.triangles()).map(|k| k.map(|k| t.vertices[k as usize].point))
+    t.faces.iter().flat_map(|f| f.split(f.corners.map(|k| t.vertices[k as usize].point)))
 }
 
 fn area(t: &Tessellation) -> f64 {
@@ -52,7 +52,7 @@ fn a3t2_spheres_are_closed_at_every_resolution() {
             assert!(edges.iter().all(|(&(a, b), &n)| n == 1 && edges.get(&(b, a)) == Some(&1)));
             let euler = t.vertices.len() as i64 - edges.len() as i64 / 2 + t.faces.len() as i64;
             assert_eq!(euler, 2, "{theta} x {phi}");
-            let triangles = t.faces.iter().filter(|f| f.triangles().count() == 1).count();
+            let triangles = t.faces.iter().filter(|f| f.split(f.corners).count() == 1).count();
             assert_eq!((t.faces.len(), triangles), ((theta * phi) as usize, 2 * theta as usize));
         }
     }

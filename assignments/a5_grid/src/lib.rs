@@ -6,6 +6,7 @@ mod cells;
 mod grid;
 mod march;
 pub mod overlap;
+mod structure;
 pub mod voxelise;
 
 pub use args::{GridArgs, Program};
@@ -13,11 +14,13 @@ pub use cell_picture::{CellPicture, cell_color};
 pub use cells::{Cells, MAX_CELLS};
 pub use grid::Grid;
 pub use march::{March, Step};
+pub use structure::Structure;
 pub use voxelise::Fit;
 
 use a1_ray_casting::{Report, Studio, picture};
-use common::accel::{Accel, List};
+use common::accel::List;
 use common::cli::AppError;
+use common::math::{Bounds, Vec3};
 
 /// The whole program: reads the scene, renders what was asked for, writes it.
 ///
@@ -45,9 +48,8 @@ fn picture_of_cells(
     cells: Option<Cells>,
     mut report: Report,
 ) -> Result<(), AppError> {
-    // A scene without finite objects has no cells, and a picture of nothing but background.
-    let cells = cells
-        .unwrap_or_else(|| Cells::new([1; 3], &common::math::Bounds::of_points([common::math::Vec3::ZERO])));
+    // A scene without finite objects has no box; its picture is nothing but background.
+    let cells = cells.unwrap_or_else(|| Cells::new([1; 3], &Bounds::of_points([Vec3::ZERO])));
     let fit = args.grid_fit.unwrap_or(Fit::Bounds);
     let counts = report.time("build", || voxelise::count(&cells, &studio.geometry, fit));
     let occupied = counts.iter().filter(|n| **n > 0).count();
@@ -65,33 +67,4 @@ fn picture_of_cells(
     let mut pictures = side;
     pictures.extend(picture(&args.cast().output, layer));
     studio.shoot(args.cast(), structure.as_accel(), &pictures, report)
-}
-
-/// What finds hits: the grid if one was asked for, else the list.
-pub enum Structure<'g> {
-    /// Brute force.
-    List(List<'g>),
-    /// The grid.
-    Grid(Box<Grid<'g>>),
-}
-
-impl Structure<'_> {
-    /// The structure behind the common seam.
-    pub fn as_accel(&self) -> &dyn Accel {
-        match self {
-            Self::List(list) => list,
-            Self::Grid(grid) => &**grid,
-        }
-    }
-
-    /// What was built, for `-stats`.
-    fn describe(&self) -> String {
-        match self {
-            Self::List(_) => "structure: list of all primitives".to_owned(),
-            Self::Grid(g) => {
-                let kib = g.bytes().div_ceil(1024);
-                format!("structure: grid, {} references, {kib} KiB", g.references())
-            }
-        }
-    }
 }

@@ -64,10 +64,7 @@ pub struct GeneralArgs {
 impl GeneralArgs {
     /// The tile loop's options; `label` names the work in the progress bar.
     pub fn tile_options<'a>(&self, label: &'a str) -> TileOptions<'a> {
-        TileOptions {
-            tile: self.tile,
-            ..self.program.loop_options(label)
-        }
+        TileOptions { tile: self.tile, ..self.program.loop_options(label) }
     }
 
     /// Whether this kind of needless work is to be skipped, as it is unless switched off.

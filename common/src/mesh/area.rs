@@ -21,22 +21,13 @@ pub fn has_area(corners: [Vec3; 3]) -> bool {
 /// The filter: a component of the cross product that rounding cannot have made from zero.
 fn clearly_has_area(ab: DVec3, ac: DVec3) -> bool {
     let clear = |p: f64, q: f64| (p - q).abs() > FILTER * (p.abs() + q.abs());
-    clear(ab.x * ac.y, ab.y * ac.x)
-        || clear(ab.y * ac.z, ab.z * ac.y)
-        || clear(ab.z * ac.x, ab.x * ac.z)
+    clear(ab.x * ac.y, ab.y * ac.x) || clear(ab.y * ac.z, ab.z * ac.y) || clear(ab.z * ac.x, ab.x * ac.z)
 }
 
 fn is_collinear(a: DVec3, b: DVec3, c: DVec3) -> bool {
     let flat = |i: usize, j: usize| {
         // (b−a)×(c−a) multiplied out. A product of two f32 numbers is exact in f64.
-        sum_is_zero([
-            b[i] * c[j],
-            -(b[i] * a[j]),
-            -(a[i] * c[j]),
-            -(b[j] * c[i]),
-            b[j] * a[i],
-            a[j] * c[i],
-        ])
+        sum_is_zero([b[i] * c[j], -(b[i] * a[j]), -(a[i] * c[j]), -(b[j] * c[i]), b[j] * a[i], a[j] * c[i]])
     };
     flat(0, 1) && flat(1, 2) && flat(2, 0)
 }
@@ -82,24 +73,15 @@ mod tests {
         let tiny = f32::from_bits(1);
         let huge = f32::MAX;
         assert!(has_area([Vec3::ZERO, Vec3::X, Vec3::new(0.5, tiny, 0.0)]));
-        assert!(has_area([
-            Vec3::ZERO,
-            Vec3::splat(huge),
-            Vec3::new(huge, huge, huge.next_down())
-        ]));
-        assert!(has_area([
-            Vec3::new(tiny, 0.0, 0.0),
-            Vec3::new(0.0, tiny, 0.0),
-            Vec3::ZERO
-        ]));
+        assert!(has_area([Vec3::ZERO, Vec3::splat(huge), Vec3::new(huge, huge, huge.next_down())]));
+        assert!(has_area([Vec3::new(tiny, 0.0, 0.0), Vec3::new(0.0, tiny, 0.0), Vec3::ZERO]));
         assert!(has_area([Vec3::new(huge, tiny, 0.0), Vec3::ZERO, Vec3::X]));
     }
 
     /// The determinants again, in integers: f32 coordinates that are small whole numbers.
     fn has_area_in_integers(corners: [[i32; 3]; 3]) -> bool {
         let [a, b, c] = corners.map(|corner| corner.map(i128::from));
-        let det =
-            |i: usize, j: usize| (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+        let det = |i: usize, j: usize| (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
         det(0, 1) != 0 || det(1, 2) != 0 || det(2, 0) != 0
     }
 

@@ -28,8 +28,7 @@ impl Mesh {
     fn drop_degenerate(&mut self) {
         let before = self.triangles.len();
         let positions = &self.positions;
-        self.triangles
-            .retain(|corners| has_area(corners.map(|i| positions[i as usize])));
+        self.triangles.retain(|corners| has_area(corners.map(|i| positions[i as usize])));
         self.degenerate += before - self.triangles.len();
     }
 }

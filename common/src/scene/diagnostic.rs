@@ -38,12 +38,7 @@ impl SceneError {
             group = group.element(Level::HELP.message(help));
         }
         let rendered = Renderer::plain().render(&[group]);
-        Self(Box::new(Report {
-            file: file.to_owned(),
-            position: None,
-            message,
-            rendered,
-        }))
+        Self(Box::new(Report { file: file.to_owned(), position: None, message, rendered }))
     }
 
     /// The scene file's name, as it was given to the loader.
@@ -77,13 +72,7 @@ pub(super) type Parsed<T> = Result<T, Box<Fault>>;
 
 impl Fault {
     pub fn new(span: Span, message: impl Into<String>) -> Self {
-        Self {
-            span,
-            message: message.into(),
-            label: None,
-            context: None,
-            help: None,
-        }
+        Self { span, message: message.into(), label: None, context: None, help: None }
     }
 
     /// Words at the caret.
@@ -166,8 +155,5 @@ fn with_origin(report: &str, file: &str, at: Position) -> String {
     let bar = body.first().and_then(|line| line.find('|')).unwrap_or(1);
     let arrow = format!("{:>1$}", "--> ", bar + 3);
     let (line, column) = (at.line, at.column);
-    format!(
-        "{title}\n{arrow}{file}:{line}:{column}\n{}",
-        body.join("\n")
-    )
+    format!("{title}\n{arrow}{file}:{line}:{column}\n{}", body.join("\n"))
 }

@@ -59,10 +59,7 @@ impl Excerpt {
     /// Both marks on one line; the explanation is dropped if the clipping hides its place.
     fn same_line(text: &str, primary: Span, context: Span) -> Self {
         let clip = Clip::new(text, primary);
-        Self {
-            context: clip.visible(context),
-            ..Self::single(text, primary)
-        }
+        Self { context: clip.visible(context), ..Self::single(text, primary) }
     }
 
     fn joined(text: &str, primary: Span, context: Span) -> Self {
@@ -120,14 +117,8 @@ fn clipped_line(text: &str, span: Span) -> (String, Range<usize>) {
 fn line_bounds(text: &str, offset: usize) -> Range<usize> {
     let is_end = |b: &u8| matches!(b, b'\n' | b'\r');
     let bytes = text.as_bytes();
-    let start = bytes[..offset]
-        .iter()
-        .rposition(is_end)
-        .map_or(0, |i| i + 1);
-    let end = bytes[offset..]
-        .iter()
-        .position(is_end)
-        .map_or(bytes.len(), |i| offset + i);
+    let start = bytes[..offset].iter().rposition(is_end).map_or(0, |i| i + 1);
+    let end = bytes[offset..].iter().position(is_end).map_or(bytes.len(), |i| offset + i);
     start.max(bom_length(text).min(end))..end
 }
 
@@ -143,16 +134,9 @@ impl Clip {
         let line = line_bounds(text, span.start);
         let (start, end) = match line.len() <= SHORT {
             true => (line.start, line.end),
-            false => (
-                back(text, line.start, span.start),
-                forward(text, span.start, line.end),
-            ),
+            false => (back(text, line.start, span.start), forward(text, span.start, line.end)),
         };
-        Self {
-            cut_before: start > line.start,
-            cut_after: end < line.end,
-            shown: start..end,
-        }
+        Self { cut_before: start > line.start, cut_after: end < line.end, shown: start..end }
     }
 
     /// The part that is shown, three dots marking each cut. The blank at the end is for a mark
@@ -163,9 +147,8 @@ impl Clip {
     }
 
     fn marked(&self, span: Span) -> Range<usize> {
-        let shift = |offset: usize| {
-            offset.min(self.shown.end) - self.shown.start + dots(self.cut_before).len()
-        };
+        let shift =
+            |offset: usize| offset.min(self.shown.end) - self.shown.start + dots(self.cut_before).len();
         let start = shift(span.start);
         start..shift(span.end).max(start + 1)
     }

@@ -22,10 +22,7 @@ pub(super) struct LineCounter {
 impl LineCounter {
     /// Line 1, column 1 is at this offset.
     pub fn starting_at(offset: usize) -> Self {
-        Self {
-            offset,
-            at: Position { line: 1, column: 1 },
-        }
+        Self { offset, at: Position { line: 1, column: 1 } }
     }
 
     /// Line and column of `target`, which must not be before the last one asked for.

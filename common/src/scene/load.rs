@@ -137,13 +137,10 @@ impl Folder {
         if in_working_directory.is_file() {
             return Ok(in_working_directory);
         }
-        let suggestion = similar_name(&beside_scene)
-            .map(|name| format!("; did you mean `{name}`?"))
-            .unwrap_or_default();
+        let suggestion =
+            similar_name(&beside_scene).map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
         let name = name.escape_debug();
-        Err(format!(
-            "there is no file `{name}` beside the scene or in the working directory{suggestion}"
-        ))
+        Err(format!("there is no file `{name}` beside the scene or in the working directory{suggestion}"))
     }
 }
 

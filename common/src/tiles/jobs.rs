@@ -57,12 +57,7 @@ pub fn for_each_job<S: Send>(
 
 /// Runs `own` here and `help` on the other threads: those of the current pool, or of one made for
 /// the occasion if another number of threads is asked for.
-fn with_helpers(
-    threads: Option<usize>,
-    jobs: usize,
-    own: impl FnOnce() + Send,
-    help: &(impl Fn() + Sync),
-) {
+fn with_helpers(threads: Option<usize>, jobs: usize, own: impl FnOnce() + Send, help: &(impl Fn() + Sync)) {
     let most = jobs.max(1);
     let threads = threads.map(|n| n.clamp(1, most));
     if threads == Some(1) {
@@ -127,9 +122,6 @@ impl<'a> Queue<'a> {
 
     /// Clears the progress bar and passes on the states.
     fn finish<S>(self, states: Vec<S>) -> Finished<S> {
-        Finished {
-            states,
-            complete: self.progress.count() == self.count,
-        }
+        Finished { states, complete: self.progress.count() == self.count }
     }
 }

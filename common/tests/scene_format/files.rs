@@ -32,21 +32,13 @@ fn report(folder: &TempDir, name: &str) -> String {
 
 fn with_meshes(names: &[&str]) -> String {
     let count = names.len();
-    let meshes: String = names
-        .iter()
-        .map(|n| format!("TriangleMesh {{ obj_file {n} }}\n"))
-        .collect();
+    let meshes: String = names.iter().map(|n| format!("TriangleMesh {{ obj_file {n} }}\n")).collect();
     format!("{PRELUDE}Group {{ numObjects {count} MaterialIndex 0\n{meshes}}}\n")
 }
 
 #[test]
 fn a_mesh_file_is_found_beside_the_scene_and_read_once_under_all_its_names() {
-    let text = with_meshes(&[
-        "meshes/a.obj",
-        "./meshes/../meshes/a.obj",
-        "b.obj",
-        "meshes/a.obj",
-    ]);
+    let text = with_meshes(&["meshes/a.obj", "./meshes/../meshes/a.obj", "b.obj", "meshes/a.obj"]);
     let folder = folder(&[
         ("scene.txt", text.as_bytes()),
         ("meshes/a.obj", TRIANGLE.as_bytes()),
@@ -64,18 +56,13 @@ fn a_mesh_in_the_working_directory_is_found_too() {
     assert!(Path::new(name).is_file());
     let folder = folder(&[("scene.txt", with_meshes(&[name]).as_bytes())]);
     let report = report(&folder, "scene.txt");
-    assert!(
-        report.contains("cannot use this mesh: tests/scene_format/main.rs"),
-        "{report}"
-    );
+    assert!(report.contains("cannot use this mesh: tests/scene_format/main.rs"), "{report}");
 }
 
 #[test]
 fn a_missing_mesh_is_reported_at_its_name_with_a_suggestion() {
-    let folder = folder(&[
-        ("scene.txt", with_meshes(&["cub.obj"]).as_bytes()),
-        ("cube.obj", TRIANGLE.as_bytes()),
-    ]);
+    let folder =
+        folder(&[("scene.txt", with_meshes(&["cub.obj"]).as_bytes()), ("cube.obj", TRIANGLE.as_bytes())]);
     insta::assert_snapshot!(report(&folder, "scene.txt"), @r"
     error: cannot use this mesh: there is no file `cub.obj` beside the scene or in the working directory; did you mean `cube.obj`?
      --> scene.txt:4:25
@@ -105,10 +92,7 @@ fn a_missing_picture_is_reported_at_its_name() {
     let text = format!("{PRELUDE}Background {{ environment sky.hdr }}");
     let folder = folder(&[("scene.txt", text.as_bytes())]);
     let error = load_from(&folder, "scene.txt").expect_err("an error");
-    assert_eq!(
-        error.position().map(|at| (at.line, at.column)),
-        Some((3, 26))
-    );
+    assert_eq!(error.position().map(|at| (at.line, at.column)), Some((3, 26)));
 }
 
 #[test]
@@ -154,8 +138,5 @@ fn a_file_too_large_is_refused_without_reading_it_all() {
     // A hole, not bytes: costs no disk.
     file.set_len(64 << 30).expect("a sparse file");
     let error = load(&path).expect_err("an error");
-    assert_eq!(
-        error.message(),
-        "this file is larger than 256 MiB; is it a scene?"
-    );
+    assert_eq!(error.message(), "this file is larger than 256 MiB; is it a scene?");
 }

@@ -33,11 +33,7 @@ fn check(text: &str) -> Result<(), TestCaseError> {
     if let Err(error) = parse(text) {
         let lines = text.bytes().filter(|b| matches!(b, b'\n' | b'\r')).count() as u32 + 1;
         let at = error.position().expect("a position");
-        prop_assert!(
-            (1..=lines).contains(&at.line) && at.column >= 1,
-            "{}",
-            error
-        );
+        prop_assert!((1..=lines).contains(&at.line) && at.column >= 1, "{}", error);
         prop_assert!(error.to_string().len() < 4096, "{}", error);
         prop_assert!(!error.message().is_empty() && !error.message().contains('\n'));
     }
@@ -95,10 +91,7 @@ fn quickly<T>(work: impl FnOnce() -> T) -> T {
 #[test]
 fn a_hundred_thousand_nested_groups_and_transforms() {
     const DEPTH: usize = 100_000;
-    for (open, close) in [
-        ("Group { numObjects 1\n", "}"),
-        ("Transform { Scale 2 1 1\n", "}"),
-    ] {
+    for (open, close) in [("Group { numObjects 1\n", "}"), ("Transform { Scale 2 1 1\n", "}")] {
         let text = format!(
             "{PRELUDE}Group {{ numObjects 1 MaterialIndex 0\n{}Sphere {{ center 0 0 0 radius 1 }}{}}}",
             open.repeat(DEPTH),
@@ -116,21 +109,13 @@ fn a_hundred_thousand_nested_groups_and_transforms() {
 
 #[test]
 fn unclosed_nesting_and_half_a_million_braces_are_errors_soon() {
-    quickly(|| {
-        report(&format!(
-            "{PRELUDE}Group {{ numObjects 1 {}",
-            "Transform { ".repeat(100_000)
-        ))
-    });
+    quickly(|| report(&format!("{PRELUDE}Group {{ numObjects 1 {}", "Transform { ".repeat(100_000))));
     quickly(|| report(&format!("{PRELUDE}{}", "}\n".repeat(500_000))));
 }
 
 #[test]
 fn a_declared_count_allocates_nothing() {
-    for text in [
-        "Group { numObjects 4294967295 }",
-        "Lights { numLights 4000000000 }",
-    ] {
+    for text in ["Group { numObjects 4294967295 }", "Lights { numLights 4000000000 }"] {
         let error = quickly(|| parse(&format!("{PRELUDE}{text}")).expect_err("an error"));
         assert!(error.message().contains("says 4"), "{error}");
     }

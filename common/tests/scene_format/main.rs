@@ -26,9 +26,7 @@ struct OneMesh(Arc<Mesh>);
 impl Default for OneMesh {
     fn default() -> Self {
         let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-        Self(Arc::new(
-            common::mesh::parse_obj("one.obj", text).expect("a good mesh"),
-        ))
+        Self(Arc::new(common::mesh::parse_obj("one.obj", text).expect("a good mesh")))
     }
 }
 

@@ -21,11 +21,7 @@ fn textures_blend_earlier_materials_and_may_be_flat() {
     };
     assert_eq!((solid(2).children, solid(2).transform.len()), ([1, 0], 2));
     assert_eq!(solid(3).kind, SolidTextureKind::Noise { octaves: 0 });
-    let wood = SolidTextureKind::Wood {
-        octaves: 4,
-        frequency: 2.0,
-        amplitude: 3.0,
-    };
+    let wood = SolidTextureKind::Wood { octaves: 4, frequency: 2.0, amplitude: 3.0 };
     assert_eq!((solid(4).kind, solid(4).children), (wood, [0, 3]));
 }
 
@@ -43,41 +39,16 @@ fn our_extensions_are_read() {
     )
     .expect("a good scene");
     let lens = scene.camera.lens.expect("a lens");
-    assert_eq!(
-        (lens.aperture, lens.focal_distance, scene.camera.screen),
-        (0.5, 7.0, Screen::Curved)
-    );
-    assert_eq!(
-        scene.background.environment.as_deref(),
-        Some("sky.hdr".as_ref())
-    );
-    assert!(matches!(
-        scene.lights[0].kind,
-        LightKind::Sphere { radius: 2.0, .. }
-    ));
+    assert_eq!((lens.aperture, lens.focal_distance, scene.camera.screen), (0.5, 7.0, Screen::Curved));
+    assert_eq!(scene.background.environment.as_deref(), Some("sky.hdr".as_ref()));
+    assert!(matches!(scene.lights[0].kind, LightKind::Sphere { radius: 2.0, .. }));
     let Material::Phong(material) = &scene.materials[0] else {
         panic!("a plain material");
     };
-    assert_eq!(
-        (material.emissive, material.absorption),
-        (Vec3::splat(5.0), Vec3::Y)
-    );
-    assert_eq!(
-        material.image.as_ref().map(|image| image.scale),
-        Some([2.0, 3.0])
-    );
-    let NodeKind::Shape {
-        shape: ShapeSpec::Plane { disc, .. },
-        ..
-    } = scene.nodes[1].kind
-    else {
+    assert_eq!((material.emissive, material.absorption), (Vec3::splat(5.0), Vec3::Y));
+    assert_eq!(material.image.as_ref().map(|image| image.scale), Some([2.0, 3.0]));
+    let NodeKind::Shape { shape: ShapeSpec::Plane { disc, .. }, .. } = scene.nodes[1].kind else {
         panic!("a plane");
     };
-    assert_eq!(
-        disc,
-        Some(Disc {
-            center: DVec3::new(1.0, 0.0, 1.0),
-            radius: 4.0
-        })
-    );
+    assert_eq!(disc, Some(Disc { center: DVec3::new(1.0, 0.0, 1.0), radius: 4.0 }));
 }

@@ -56,34 +56,18 @@ fn defaults_are_those_of_the_course() {
         panic!("a plain material");
     };
     assert_eq!(material.diffuse, Vec3::ONE);
-    assert_eq!(
-        (material.exponent, material.index_of_refraction),
-        (1.0, 1.0)
-    );
-    assert_eq!(
-        material.specular + material.reflective + material.transparent,
-        Vec3::ZERO
-    );
+    assert_eq!((material.exponent, material.index_of_refraction), (1.0, 1.0));
+    assert_eq!(material.specular + material.reflective + material.transparent, Vec3::ZERO);
 }
 
 #[test]
 fn ambient_light_is_black_by_default_only_if_there_are_lights() {
     let light = "Lights { numLights 1 DirectionalLight { direction 0 0 -1 color 1 1 1 } }";
-    let ambient = |text: &str| {
-        scene(&format!("{text} Group {{ numObjects 0 }}"))
-            .background
-            .ambient_light
-    };
+    let ambient = |text: &str| scene(&format!("{text} Group {{ numObjects 0 }}")).background.ambient_light;
     assert_eq!(ambient("Lights { numLights 0 }"), Vec3::ONE);
     assert_eq!(ambient(light), Vec3::ZERO);
-    assert_eq!(
-        ambient("Background { ambientLight 0.25 0 0 }"),
-        Vec3::X * 0.25
-    );
-    assert_eq!(
-        ambient(&format!("{light} Background {{ color 0 0 0 }}")),
-        Vec3::ZERO
-    );
+    assert_eq!(ambient("Background { ambientLight 0.25 0 0 }"), Vec3::X * 0.25);
+    assert_eq!(ambient(&format!("{light} Background {{ color 0 0 0 }}")), Vec3::ZERO);
 }
 
 #[test]
@@ -99,13 +83,7 @@ fn blocks_come_in_any_order_and_fields_too() {
     assert_eq!(scene.lights[0].color, Vec3::new(1.0, -1.0, 1.0));
     let position = DVec3::new(4.0, 5.0, 6.0);
     let attenuation = [0.0, 1.0, 0.0];
-    assert_eq!(
-        scene.lights[0].kind,
-        LightKind::Point {
-            position,
-            attenuation
-        }
-    );
+    assert_eq!(scene.lights[0].kind, LightKind::Point { position, attenuation });
 }
 
 #[test]
@@ -114,11 +92,7 @@ fn line_ends_marks_and_comments_change_nothing() {
         "{PRELUDE}Group {{ numObjects 1 # one\nMaterialIndex 1 // the second\nSphere {{ center 0 0 0 radius 1 }} }}\n"
     );
     let expected = parse(&text).expect("a good scene");
-    for variant in [
-        text.replace('\n', "\r\n"),
-        text.replace('\n', "\r"),
-        format!("\u{feff}{text}"),
-    ] {
+    for variant in [text.replace('\n', "\r\n"), text.replace('\n', "\r"), format!("\u{feff}{text}")] {
         let read = parse(&variant).expect("a good scene");
         assert_eq!(read.nodes, expected.nodes);
         assert_eq!(read.camera, expected.camera);
@@ -127,19 +101,12 @@ fn line_ends_marks_and_comments_change_nothing() {
 
 #[test]
 fn numbers_are_read_as_scanf_reads_them() {
-    let scene =
-        scene("Group { numObjects +1 MaterialIndex 00 Sphere { center 1. .5 -2e-3 radius +3E0 } }");
+    let scene = scene("Group { numObjects +1 MaterialIndex 00 Sphere { center 1. .5 -2e-3 radius +3E0 } }");
     let NodeKind::Shape { shape, .. } = &scene.nodes[1].kind else {
         panic!("a shape");
     };
     let center = DVec3::new(1.0, 0.5, -0.002);
-    assert_eq!(
-        *shape,
-        ShapeSpec::Sphere {
-            center,
-            radius: 3.0
-        }
-    );
+    assert_eq!(*shape, ShapeSpec::Sphere { center, radius: 3.0 });
 }
 
 #[test]
@@ -178,9 +145,6 @@ fn a_mesh_named_twice_is_stored_once() {
     );
     assert_eq!(scene.meshes.len(), 1);
     let kinds: Vec<_> = scene.nodes[1..].iter().map(|node| &node.kind).collect();
-    let mesh = |smooth| NodeKind::Shape {
-        shape: ShapeSpec::Mesh { mesh: 0, smooth },
-        material: 0,
-    };
+    let mesh = |smooth| NodeKind::Shape { shape: ShapeSpec::Mesh { mesh: 0, smooth }, material: 0 };
     assert_eq!(kinds, [&mesh(false), &mesh(true)]);
 }

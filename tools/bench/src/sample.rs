@@ -34,7 +34,7 @@ mod tests {
     fn quantiles_of_a_few() {
         let mut s = Sample::default();
         assert!(s.median().is_nan());
-        [5.0, 1.0, 3.0].map(|v| s.add(v));
+        [5.0, 1.0, 3.0].into_iter().for_each(|v| s.add(v));
         assert_eq!((s.quantile(0.0), s.median(), s.quantile(1.0)), (1.0, 3.0, 5.0));
     }
 }

@@ -9,10 +9,7 @@ use proptest::prelude::*;
 const SEEDS: [u64; 4] = [0, 1, 2, 0xffff_ffff_ffff_ffff];
 
 fn ifs(maps: &[(f64, [[f64; 3]; 2])]) -> Ifs {
-    let entry = |&(probability, rows)| WeightedMap {
-        probability,
-        map: Affine2 { rows },
-    };
+    let entry = |&(probability, rows)| WeightedMap { probability, map: Affine2 { rows } };
     Ifs::new(maps.iter().map(entry).collect()).unwrap()
 }
 
@@ -21,11 +18,7 @@ fn half_towards(x: f64, y: f64) -> [[f64; 3]; 2] {
 }
 
 fn sierpinski() -> Ifs {
-    ifs(&[
-        (0.33, half_towards(0.0, 0.0)),
-        (0.33, half_towards(1.0, 0.0)),
-        (0.34, half_towards(0.0, 1.0)),
-    ])
+    ifs(&[(0.33, half_towards(0.0, 0.0)), (0.33, half_towards(1.0, 0.0)), (0.34, half_towards(0.0, 1.0))])
 }
 
 fn fern() -> Ifs {
@@ -106,14 +99,8 @@ fn a0t2_without_iterations_points_are_uniform() {
 fn a0t2_sequences_of_maps_have_their_probabilities() {
     const POINTS: u64 = 200_000;
     let probabilities = [0.1, 0.2, 0.3, 0.4];
-    let maps: Vec<_> = (0..4)
-        .map(|i| {
-            (
-                probabilities[i],
-                [[0.25, 0.0, i as f64 / 4.0], [0.0, 0.5, 0.0]],
-            )
-        })
-        .collect();
+    let maps: Vec<_> =
+        (0..4).map(|i| (probabilities[i], [[0.25, 0.0, i as f64 / 4.0], [0.0, 0.5, 0.0]])).collect();
     for seed in SEEDS {
         for k in [1, 3, 5] {
             let game = ChaosGame::new(&ifs(&maps), k, seed);
@@ -128,10 +115,7 @@ fn a0t2_sequences_of_maps_have_their_probabilities() {
                 chosen.product::<f64>() * POINTS as f64
             };
             let chi = chi_square(&observed[..sequences], expected);
-            assert!(
-                chi < chi_square_bound(sequences as f64 - 1.0),
-                "{seed} {k}: {chi}"
-            );
+            assert!(chi < chi_square_bound(sequences as f64 - 1.0), "{seed} {k}: {chi}");
         }
     }
 }
@@ -143,11 +127,8 @@ fn a0t2_the_fern_has_the_mean_that_its_maps_demand() {
     let mut mean = Point2 { x: 0.5, y: 0.5 };
     for _ in 0..500 {
         let system = fern();
-        let images: Vec<_> = system
-            .maps()
-            .iter()
-            .map(|entry| (entry.probability, entry.map.apply(mean)))
-            .collect();
+        let images: Vec<_> =
+            system.maps().iter().map(|entry| (entry.probability, entry.map.apply(mean))).collect();
         mean = Point2 {
             x: images.iter().map(|(p, image)| p * image.x).sum(),
             y: images.iter().map(|(p, image)| p * image.y).sum(),
@@ -209,10 +190,7 @@ fn a0t2_every_iteration_is_made_whatever_is_drawn_at_once() {
 fn a0t2_the_picture_depends_on_the_seed_and_on_nothing_else() {
     let size = Size::new(64, 64).unwrap();
     let picture = |seed, threads| {
-        let options = TileOptions {
-            threads,
-            ..TileOptions::default()
-        };
+        let options = TileOptions { threads, ..TileOptions::default() };
         let game = ChaosGame::new(&fern(), 30, seed);
         play(&game, 30_000, size, &options).film()
     };

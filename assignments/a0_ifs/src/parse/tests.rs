@@ -36,44 +36,20 @@ fn a0t1_numbers_may_be_spelt_as_scanf_reads_them() {
 
 /// Text, line and column of the error, and a part of what is said.
 const BAD: [(&str, (usize, usize), &str); 18] = [
-    (
-        "",
-        (1, 1),
-        "expected the number of maps, but the file ends here",
-    ),
+    ("", (1, 1), "expected the number of maps, but the file ends here"),
     ("# nothing", (1, 10), "the file ends here"),
-    (
-        "two",
-        (1, 1),
-        "expected the number of maps, but found 'two'",
-    ),
+    ("two", (1, 1), "expected the number of maps, but found 'two'"),
     ("2.5 1", (1, 1), "found '2.5'"),
     ("-1", (1, 1), "found '-1'"),
     ("0", (1, 1), "at least one map"),
     ("99999999999", (1, 1), "the number of maps"),
-    (
-        "1000000000\n1 1 0 0 0 1 0 0 0 1",
-        (2, 20),
-        "the probability of map 2 of 1000000000",
-    ),
-    (
-        "1\nhalf",
-        (2, 1),
-        "the probability of map 1 of 1, but found 'half'",
-    ),
+    ("1000000000\n1 1 0 0 0 1 0 0 0 1", (2, 20), "the probability of map 2 of 1000000000"),
+    ("1\nhalf", (2, 1), "the probability of map 1 of 1, but found 'half'"),
     ("1\n-0.5", (2, 1), "cannot be negative"),
     ("1\n1 1 0 0 0 1", (2, 12), "row 2, column 3 of map 1 of 1"),
-    (
-        "1\n1 1 nan 0",
-        (2, 5),
-        "row 1, column 2 of map 1 of 1, but found 'nan'",
-    ),
+    ("1\n1 1 nan 0", (2, 5), "row 1, column 2 of map 1 of 1, but found 'nan'"),
     ("1\n1 inf 0 0", (2, 3), "found 'inf'"),
-    (
-        "1\n1 1 0 1e39",
-        (2, 7),
-        "1e39 is out of range for row 1, column 3",
-    ),
+    ("1\n1 1 0 1e39", (2, 7), "1e39 is out of range for row 1, column 3"),
     (
         "1\n1 1 0 0 0 1 0 0 0 2",
         (2, 19),
@@ -81,11 +57,7 @@ const BAD: [(&str, (usize, usize), &str); 18] = [
     ),
     ("1\n1 1 0 0 0 1 0 0 0", (2, 18), "the last row"),
     ("1\n.9 1 0 0 0 1 0 0 0 1", (2, 1), "they add up to 0.9000"),
-    (
-        "1\n1 1 0 0 0 1 0 0 0 1\n  extra",
-        (3, 3),
-        "expected the end of the file after 1 maps",
-    ),
+    ("1\n1 1 0 0 0 1 0 0 0 1\n  extra", (3, 3), "expected the end of the file after 1 maps"),
 ];
 
 #[test]
@@ -134,10 +106,7 @@ proptest! {
 #[test]
 fn a0t1_files_that_cannot_be_read_are_named() {
     let error = load(Path::new("no/such/file.txt")).unwrap_err();
-    assert!(
-        error.to_string().contains(" --> no/such/file.txt"),
-        "{error}"
-    );
+    assert!(error.to_string().contains(" --> no/such/file.txt"), "{error}");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("latin1.txt");
     std::fs::write(&path, b"1 # h\xe4lfte").unwrap();

@@ -4,6 +4,10 @@ use super::{Canvas, Corner};
 use common::math::{DVec3, Vec3};
 use common::tiles::Tile;
 
+/// Pixels by which boxes on the screen are too large: far more than what rounding moves a
+/// corner that is in the picture (about 10⁻¹² pixels).
+const SLACK: f64 = 1.0 / 1024.0;
+
 /// A triangle ready to be drawn.
 pub struct Triangle {
     /// The edge opposite each corner as a linear function of (x, y, 1) in pixels: the triple
@@ -87,8 +91,8 @@ fn in_pixels(canvas: &Canvas, p: DVec3) -> DVec3 {
     DVec3::new((p.x - 0.5 * p.z) * scale + 0.5 * w * p.z, (p.y - 0.5 * p.z) * scale + 0.5 * h * p.z, p.z)
 }
 
-/// The pixels that a triangle may cover: its box on the screen, or everything if it reaches
-/// behind the eye. `None` if it lies wholly beside or behind.
+/// The pixels that a triangle may cover: those in its box on the screen, or all if it reaches
+/// behind the eye. `None` if there are none.
 fn area(canvas: &Canvas, corners: [DVec3; 3]) -> Option<Tile> {
     let (w, h) = (canvas.size.width(), canvas.size.height());
     let (width, height) = (f64::from(w), f64::from(h));
@@ -108,8 +112,11 @@ fn area(canvas: &Canvas, corners: [DVec3; 3]) -> Option<Tile> {
     let points = corners.map(|p| p / p.z);
     let low = points.into_iter().fold(DVec3::INFINITY, DVec3::min);
     let high = points.into_iter().fold(DVec3::NEG_INFINITY, DVec3::max);
-    // A pixel more on each side forgives rounding. Casts saturate.
-    let (x0, y0) = ((low.x - 1.0) as u32, (low.y - 1.0) as u32);
-    let (x1, y1) = (((high.x + 2.0) as u32).min(w), ((high.y + 2.0) as u32).min(h));
+    // From the first to the last pixel centre within; none in most triangles of a net that is
+    // finer than the picture. Casts saturate.
+    let first = |x: f64| (x - 0.5 - SLACK).ceil() as u32;
+    let behind_last = |x: f64, end: u32| ((x + 0.5 + SLACK).floor() as u32).min(end);
+    let (x0, y0) = (first(low.x), first(low.y));
+    let (x1, y1) = (behind_last(high.x, w), behind_last(high.y, h));
     (x0 < x1 && y0 < y1).then_some(Tile { x0, y0, x1, y1 })
 }

@@ -13,6 +13,8 @@ const GROWTH: f64 = 1.5;
 /// sees its edge at most 10⁻⁵ rad below the true horizon: a tenth of a pixel in a picture
 /// that is 10 000 pixels wide and a right angle across.
 const FAR: f64 = 1e5;
+/// Polygons of one plane, at most.
+pub(super) const PLANE_FACES: u64 = 6000;
 
 impl Tessellation {
     /// A plane as a very large square around the middle of the scene. Cells near the scene are
@@ -52,5 +54,6 @@ mod tests {
         assert!(lines.is_sorted_by(|a, b| a < b));
         assert!(lines.iter().zip(lines.iter().rev()).all(|(a, b)| *a == -b));
         assert!(lines[lines.len() - 1] >= 2.0 * FAR);
+        assert!((lines.len() as u64 - 1).pow(2) <= PLANE_FACES);
     }
 }

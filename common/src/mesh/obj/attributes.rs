@@ -12,12 +12,8 @@ use crate::math::{Vec2, Vec3};
 /// Reads a file that has passed [`super::reader::read`], which found `degenerate` faces of
 /// fewer than three vertices.
 pub(super) fn read(bytes: &[u8], degenerate: usize) -> Result<Mesh, MeshError> {
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        single_index: true,
-        ignore_points: true,
-        ignore_lines: true,
-    };
+    let options =
+        tobj::LoadOptions { triangulate: true, single_index: true, ignore_points: true, ignore_lines: true };
     let text = essential_statements(bytes);
     let no_materials = |_: &std::path::Path| Ok(Default::default());
     let (models, _) = tobj::load_obj_buf(&mut text.as_slice(), &options, no_materials)
@@ -63,27 +59,11 @@ fn convert(mesh: tobj::Mesh) -> Mesh {
     let normals = mesh.normals.chunks_exact(3).map(Vec3::from_slice);
     let uvs = mesh.texcoords.chunks_exact(2).map(Vec2::from_slice);
     Mesh {
-        positions: mesh
-            .positions
-            .chunks_exact(3)
-            .map(Vec3::from_slice)
-            .collect(),
-        triangles: mesh
-            .indices
-            .chunks_exact(3)
-            .map(|t| [t[0], t[1], t[2]])
-            .collect(),
+        positions: mesh.positions.chunks_exact(3).map(Vec3::from_slice).collect(),
+        triangles: mesh.indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect(),
         // tobj pushes an attribute for the vertices that have it: aligned only if all have.
-        normals: if normals.len() == vertices {
-            normals.collect()
-        } else {
-            Vec::new()
-        },
-        uvs: if uvs.len() == vertices {
-            uvs.collect()
-        } else {
-            Vec::new()
-        },
+        normals: if normals.len() == vertices { normals.collect() } else { Vec::new() },
+        uvs: if uvs.len() == vertices { uvs.collect() } else { Vec::new() },
         degenerate: 0,
     }
 }

@@ -8,8 +8,8 @@
 
 /// The powers of ten that `f64` holds exactly.
 const POWERS: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
-    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
+    1e19, 1e20, 1e21, 1e22,
 ];
 
 /// Reads a decimal number from the front of `bytes` and gives it with the number of bytes used;
@@ -45,11 +45,7 @@ pub(super) fn fast_f32(bytes: &[u8]) -> Option<(f32, usize)> {
 /// Appends the digits from `at` on to `value` (wrapping) and gives the offset behind them.
 #[inline]
 fn digits(bytes: &[u8], mut at: usize, value: &mut u64) -> usize {
-    while let Some(digit) = bytes
-        .get(at)
-        .map(|b| b.wrapping_sub(b'0'))
-        .filter(|d| *d < 10)
-    {
+    while let Some(digit) = bytes.get(at).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10) {
         *value = value.wrapping_mul(10).wrapping_add(u64::from(digit));
         at += 1;
     }
@@ -63,11 +59,7 @@ fn small_exponent(bytes: &[u8], start: usize) -> Option<(i32, usize)> {
     let mut value = 0;
     let end = digits(bytes, first_digit, &mut value);
     let in_range = (1..=3).contains(&(end - first_digit));
-    let sign = if bytes.get(start) == Some(&b'-') {
-        -1
-    } else {
-        1
-    };
+    let sign = if bytes.get(start) == Some(&b'-') { -1 } else { 1 };
     in_range.then_some((sign * value as i32, end))
 }
 
@@ -109,9 +101,7 @@ mod tests {
 
     #[test]
     fn takes_the_usual_numbers() {
-        for text in [
-            "0", "-0", "1.", ".5", "+3", "-2e-3", "0.123456", "12345678", "1E+2", "-0.0",
-        ] {
+        for text in ["0", "-0", "1.", ".5", "+3", "-2e-3", "0.123456", "12345678", "1E+2", "-0.0"] {
             assert!(fast_f32(text.as_bytes()).is_some(), "{text}");
             assert!(agrees(text), "{text}");
         }
@@ -120,13 +110,7 @@ mod tests {
     #[test]
     fn leaves_the_doubtful_to_the_standard_library() {
         // 2²⁴ + 1 is half way between two f32s; so is the second, up to its 18th digit.
-        for text in [
-            "16777217",
-            "1.000000059604644775",
-            "1e-40",
-            "1e39",
-            "123456789012345678901",
-        ] {
+        for text in ["16777217", "1.000000059604644775", "1e-40", "1e39", "123456789012345678901"] {
             assert_eq!(fast_f32(text.as_bytes()), None, "{text}");
         }
         for text in ["", "-", ".", "e5", "1e", "1e+", "nan", "inf", "1e1000"] {

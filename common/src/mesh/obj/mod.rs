@@ -45,11 +45,7 @@ impl std::fmt::Display for MeshError {
         if let Some(line) = self.line {
             write!(f, "{line}:")?;
         }
-        let space = if self.file.is_some() || self.line.is_some() {
-            " "
-        } else {
-            ""
-        };
+        let space = if self.file.is_some() || self.line.is_some() { " " } else { "" };
         write!(f, "{space}{}", self.message)
     }
 }
@@ -57,11 +53,7 @@ impl std::fmt::Display for MeshError {
 impl MeshError {
     /// An error of no particular file.
     pub fn new(message: impl Into<String>) -> Self {
-        Self {
-            file: None,
-            line: None,
-            message: message.into(),
-        }
+        Self { file: None, line: None, message: message.into() }
     }
 
     /// Line of the OBJ file, from 1, if the error has one.
@@ -70,17 +62,11 @@ impl MeshError {
     }
 
     fn at_line(line: usize, message: impl Into<String>) -> Self {
-        Self {
-            line: Some(line),
-            ..Self::new(message)
-        }
+        Self { line: Some(line), ..Self::new(message) }
     }
 
     fn in_file(self, name: &str) -> Self {
-        Self {
-            file: Some(name.to_owned()),
-            ..self
-        }
+        Self { file: Some(name.to_owned()), ..self }
     }
 }
 
@@ -93,9 +79,7 @@ pub fn read_obj(path: &Path) -> Result<Mesh, MeshError> {
     let fail = |error: std::io::Error| MeshError::new(error.to_string()).in_file(&name);
     let file = File::open(path).map_err(fail)?;
     let mut bytes = Vec::new();
-    file.take(MOST_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(fail)?;
+    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(fail)?;
     if bytes.len() as u64 > MOST_BYTES {
         let message = format!("the file is larger than {} MiB", MOST_BYTES >> 20);
         return Err(MeshError::new(message).in_file(&name));
@@ -125,9 +109,7 @@ fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     mesh.drop_degenerate();
     match (mesh.triangles.len(), mesh.degenerate) {
         (0, 0) => Err(MeshError::new("this file has no triangles")),
-        (0, n) => Err(MeshError::new(format!(
-            "this file has no triangles: all {n} faces have no area"
-        ))),
+        (0, n) => Err(MeshError::new(format!("this file has no triangles: all {n} faces have no area"))),
         _ => Ok(mesh),
     }
 }

@@ -46,10 +46,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Plain, MeshError> {
         }
     }
     reader.check_forward_references()?;
-    Ok(Plain {
-        mesh: reader.mesh,
-        uses_attributes: reader.uses_attributes,
-    })
+    Ok(Plain { mesh: reader.mesh, uses_attributes: reader.uses_attributes })
 }
 
 impl Reader<'_> {
@@ -75,8 +72,7 @@ impl Reader<'_> {
                 let divided = point / fourth;
                 let good = divided.is_finite();
                 let message = || "the vertex divided by its w is not finite";
-                good.then_some(divided)
-                    .ok_or_else(|| self.tokens.error(message()))
+                good.then_some(divided).ok_or_else(|| self.tokens.error(message()))
             }
             3 => Ok(point),
             n => {
@@ -102,9 +98,7 @@ impl Reader<'_> {
         let mut values = [0.0; N];
         for (found, value) in values.iter_mut().enumerate() {
             let Some(number) = self.tokens.number()? else {
-                return Err(self
-                    .tokens
-                    .error(format!("expected {N} numbers, found {found}")));
+                return Err(self.tokens.error(format!("expected {N} numbers, found {found}")));
             };
             *value = number;
         }
@@ -145,11 +139,8 @@ impl Reader<'_> {
         let Some(word) = self.tokens.word() else {
             return Ok(None);
         };
-        let bad = |reader: &Self| {
-            reader
-                .tokens
-                .error(format!("expected a vertex index, found {}", quoted(word)))
-        };
+        let bad =
+            |reader: &Self| reader.tokens.error(format!("expected a vertex index, found {}", quoted(word)));
         let mut vertex = None;
         for (list, part) in word.split(|&b| b == b'/').enumerate() {
             if part.is_empty() && list > 0 {
@@ -180,10 +171,7 @@ impl Reader<'_> {
     }
 
     fn check_forward_references(&self) -> Result<(), MeshError> {
-        let mut bad = self
-            .forward
-            .iter()
-            .filter(|(list, index, _)| *index > self.counts[*list as usize]);
+        let mut bad = self.forward.iter().filter(|(list, index, _)| *index > self.counts[*list as usize]);
         match bad.next() {
             None => Ok(()),
             Some(&(list, index, line)) => {

@@ -17,11 +17,7 @@ pub(super) struct Tokens<'a> {
 impl<'a> Tokens<'a> {
     pub fn new(bytes: &'a [u8]) -> Self {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        Self {
-            bytes,
-            at: 0,
-            line: 1,
-        }
+        Self { bytes, at: 0, line: 1 }
     }
 
     /// Goes to the next statement and gives its keyword; `None` at the end of the file.
@@ -42,10 +38,7 @@ impl<'a> Tokens<'a> {
     pub fn word(&mut self) -> Option<&'a [u8]> {
         self.skip_blanks();
         let rest = &self.bytes[self.at..];
-        let length = rest
-            .iter()
-            .position(|&b| ends_word(b))
-            .unwrap_or(rest.len());
+        let length = rest.iter().position(|&b| ends_word(b)).unwrap_or(rest.len());
         self.at += length;
         (length > 0).then(|| &rest[..length])
     }
@@ -152,11 +145,7 @@ pub(super) fn integer(bytes: &[u8]) -> Option<(i64, usize)> {
     let start = usize::from(negative || bytes.first() == Some(&b'+'));
     let mut value = 0_i64;
     let mut at = start;
-    while let Some(digit) = bytes
-        .get(at)
-        .map(|b| b.wrapping_sub(b'0'))
-        .filter(|d| *d < 10)
-    {
+    while let Some(digit) = bytes.get(at).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10) {
         value = value.wrapping_mul(10).wrapping_add(i64::from(digit));
         at += 1;
     }
