@@ -18,7 +18,12 @@ fn main() {
     }
     let bvh = Bvh::new(&geometry);
     let list = List::new(&geometry);
-    let grid = a5_grid::Grid::new(&geometry, a5_grid::Cells::new([40, 40, 33], &geometry.bounds().unwrap()), a5_grid::Fit::Exact).unwrap();
+    let grid = a5_grid::Grid::new(
+        &geometry,
+        a5_grid::Cells::new([40, 40, 33], &geometry.bounds().unwrap()),
+        a5_grid::Fit::Exact,
+    )
+    .unwrap();
     let mut s = 1u64;
     let mut r = || {
         s = s.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
@@ -58,7 +63,10 @@ fn main() {
     }
     for (name, rays) in [("primary", &primary), ("bounce", &bounce), ("random", &random)] {
         for ray in rays.iter().step_by(997) {
-            let (a, b) = (bvh.nearest(ray, Interval::FORWARD, &mut counters), list.nearest(ray, Interval::FORWARD, &mut counters));
+            let (a, b) = (
+                bvh.nearest(ray, Interval::FORWARD, &mut counters),
+                list.nearest(ray, Interval::FORWARD, &mut counters),
+            );
             assert_eq!(a, b);
         }
         let mut line = format!("{name} {}: ", rays.len());
@@ -74,7 +82,13 @@ fn main() {
                 best = best.min(t.elapsed().as_secs_f64());
             }
             let n = rays.len() as f64;
-            line += &format!("{:.2} Mrays/s (nodes {:.1} tests {:.1} exact {:.2})  ", n / best / 1e6, c.cells as f64 / n, c.intersections as f64 / n, c.exact_tests as f64 / n);
+            line += &format!(
+                "{:.2} Mrays/s (nodes {:.1} tests {:.1} exact {:.2})  ",
+                n / best / 1e6,
+                c.cells as f64 / n,
+                c.intersections as f64 / n,
+                c.exact_tests as f64 / n
+            );
         }
         println!("{line}");
     }

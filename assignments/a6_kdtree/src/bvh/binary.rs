@@ -3,6 +3,9 @@
 use super::split::{Item, best_cut, half_area};
 use common::math::{Bounds, Vec3};
 
+/// Below this depth sets are halved by number, which ends after at most 32 more levels.
+const DEEP: u32 = 60;
+
 /// Subtrees with fewer items are built by one thread.
 const WORTH_A_THREAD: usize = 4096;
 
@@ -46,7 +49,7 @@ impl Binary {
         let mut items: Vec<Item> = boxes.into_iter().enumerate().map(number).collect();
         let mut nodes = vec![BinaryNode::default(); 2 * items.len() - 1];
         let (bounds, centers) = measure(&items);
-        let task = Task { node: 0, first: 0, bounds, centers, block };
+        let task = Task { node: 0, first: 0, bounds, centers, block, depth: 0 };
         build(task, &mut items, &mut nodes);
         Self { nodes, items }
     }
@@ -63,6 +66,7 @@ struct Task {
     /// The box of the items' doubled centres.
     centers: Bounds,
     block: usize,
+    depth: u32,
 }
 
 fn measure(items: &[Item]) -> (Bounds, Bounds) {
@@ -73,7 +77,8 @@ fn measure(items: &[Item]) -> (Bounds, Bounds) {
 }
 
 fn build(task: Task, items: &mut [Item], nodes: &mut [BinaryNode]) {
-    let leaf = BinaryNode { bounds: task.bounds, count: items.len() as u32, first: task.first as u32, second: 0 };
+    let leaf =
+        BinaryNode { bounds: task.bounds, count: items.len() as u32, first: task.first as u32, second: 0 };
     let Some(middle) = cut(&task, items) else {
         nodes[0] = leaf;
         return;
@@ -83,7 +88,7 @@ fn build(task: Task, items: &mut [Item], nodes: &mut [BinaryNode]) {
     let (left_nodes, right_nodes) = below.split_at_mut(2 * middle - 1);
     let child = |node: usize, first: usize, items: &[Item]| {
         let (bounds, centers) = measure(items);
-        Task { node, first, bounds, centers, block: task.block }
+        Task { node, first, bounds, centers, block: task.block, depth: task.depth + 1 }
     };
     let left_task = child(task.node + 1, task.first, left);
     let right_task = child(task.node + 2 * middle, task.first + middle, right);
@@ -109,11 +114,15 @@ fn cut(task: &Task, items: &mut [Item]) -> Option<usize> {
     if items.len() <= 1 {
         return None;
     }
+    let halves = (items.len() > task.block).then_some(items.len() / 2);
+    if task.depth >= DEEP {
+        return halves;
+    }
     let block = task.block as f32;
     let Some(cut) = best_cut(items, &task.centers, block) else {
         // All centres are one point: no plane tells them apart, so they are halved until they
         // fit a leaf; the tree stays balanced.
-        return (items.len() > task.block).then_some(items.len() / 2);
+        return halves;
     };
     let as_leaf = half_area(&task.bounds) * (items.len() as f32 / block).ceil();
     // Asking a node's boxes costs about as much as asking a block's triangles.
@@ -122,7 +131,7 @@ fn cut(task: &Task, items: &mut [Item]) -> Option<usize> {
         return None;
     }
     let left = partition(items, |item| cut.is_left(item));
-    (left > 0 && left < items.len()).then_some(left).or((items.len() > task.block).then_some(items.len() / 2))
+    (left > 0 && left < items.len()).then_some(left).or(halves)
 }
 
 /// Moves the items that `is_left` to the front, keeping nothing else in order.

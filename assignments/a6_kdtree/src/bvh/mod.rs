@@ -8,6 +8,7 @@
 mod binary;
 mod split;
 mod traverse;
+mod validate;
 mod wide;
 
 pub use binary::{Binary, BinaryNode};

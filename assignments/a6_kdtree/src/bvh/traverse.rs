@@ -56,7 +56,13 @@ impl Slabs {
 
 impl Bvh<'_> {
     #[inline(always)]
-    fn nearest_in<S: Simd>(&self, simd: S, query: &Query, mut best: Option<Hit>, c: &mut Counters) -> Option<Hit> {
+    fn nearest_in<S: Simd>(
+        &self,
+        simd: S,
+        query: &Query,
+        mut best: Option<Hit>,
+        c: &mut Counters,
+    ) -> Option<Hit> {
         let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
         let mut stack = Stack::new(query.interval.min);
         let mut enter = [0.0; WIDTH];
@@ -119,28 +125,29 @@ impl Bvh<'_> {
     }
 }
 
-/// Most entries: depth times the seven children that wait beside the one followed.
-const STACK: usize = 128;
-
-/// Children still to be visited, the nearest on top. The tree's depth is bounded when it is
-/// built, so the stack cannot overflow; every push is checked all the same.
+/// Children still to be visited, the nearest on top. What does not fit the array waits in
+/// `spill`, farthest first; balanced trees never get there.
 struct Stack {
     entries: [(f32, Child); STACK],
     len: usize,
+    spill: Vec<(f32, Child)>,
 }
+
+/// Entries kept beside the ray: seven children may wait at each of eight levels.
+const STACK: usize = 64;
 
 impl Stack {
     #[inline(always)]
     fn new(enter: f32) -> Self {
         let mut entries = [(0.0, Child::ROOT); STACK];
         entries[0] = (enter, Child::ROOT);
-        Self { entries, len: 1 }
+        Self { entries, len: 1, spill: Vec::new() }
     }
 
     /// The next child that is entered no later than `max`.
     #[inline(always)]
     fn pop(&mut self, max: f32) -> Option<Child> {
-        while self.len > 0 {
+        while self.len > 0 || self.refill() {
             self.len -= 1;
             let (enter, child) = self.entries[self.len];
             if enter <= max {
@@ -150,8 +157,34 @@ impl Stack {
         None
     }
 
+    /// Moves the farthest half away if eight more would not fit.
+    #[inline(always)]
+    fn make_room(&mut self) {
+        if self.len > STACK - WIDTH {
+            self.spill_half();
+        }
+    }
+
+    #[cold]
+    fn spill_half(&mut self) {
+        self.spill.extend_from_slice(&self.entries[..STACK / 2]);
+        self.entries.copy_within(STACK / 2..self.len, 0);
+        self.len -= STACK / 2;
+    }
+
+    /// Takes the nearest spilt half back; false if there is none.
+    #[cold]
+    fn refill(&mut self) -> bool {
+        let keep = self.spill.len().saturating_sub(STACK / 2);
+        self.len = self.spill.len() - keep;
+        self.entries[..self.len].copy_from_slice(&self.spill[keep..]);
+        self.spill.truncate(keep);
+        self.len > 0
+    }
+
     #[inline(always)]
     fn push_all(&mut self, node: &WideNode, mut lanes: u32, enter: &[f32; WIDTH]) {
+        self.make_room();
         while lanes != 0 {
             let lane = lanes.trailing_zeros() as usize;
             lanes &= lanes - 1;
@@ -163,6 +196,7 @@ impl Stack {
     /// Pushes the children so that the one entered first comes out first.
     #[inline(always)]
     fn push_sorted(&mut self, node: &WideNode, mut lanes: u32, enter: &[f32; WIDTH]) {
+        self.make_room();
         let base = self.len;
         while lanes != 0 {
             let lane = lanes.trailing_zeros() as usize;
@@ -223,7 +257,7 @@ impl Accel for Bvh<'_> {
     }
 
     fn validate(&self) -> Result<(), String> {
-        Ok(())
+        self.check()
     }
 }
 

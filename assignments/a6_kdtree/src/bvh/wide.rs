@@ -1,7 +1,7 @@
 //! The wide tree: nodes of up to eight children, leaves of triangle blocks or solids.
 
-use super::{Binary, BinaryNode};
 use super::split::half_area;
+use super::{Binary, BinaryNode};
 use common::geometry::Geometry;
 use common::math::{Bounds, Vec3};
 use common::shape::triangle_block::{LANES, TriangleBlock};
@@ -82,11 +82,18 @@ pub struct Bvh<'g> {
 impl<'g> Bvh<'g> {
     /// Builds the hierarchy; the same whatever the number of threads.
     pub fn new(geometry: &'g Geometry) -> Self {
-        let triangle_boxes: Vec<Bounds> = geometry.triangles().iter().map(|t| Bounds::of_points(*t)).collect();
+        let triangle_boxes: Vec<Bounds> =
+            geometry.triangles().iter().map(|t| Bounds::of_points(*t)).collect();
         let solid_boxes: Vec<Bounds> = geometry.solids().iter().map(|s| s.bounds).collect();
         let triangle_bounds = triangle_boxes.iter().fold(Bounds::EMPTY, |b, t| b.union(t));
-        let mut bvh =
-            Self { geometry, nodes: Vec::new(), blocks: Vec::new(), solids: Vec::new(), triangle_bounds, depth: 0 };
+        let mut bvh = Self {
+            geometry,
+            nodes: Vec::new(),
+            blocks: Vec::new(),
+            solids: Vec::new(),
+            triangle_bounds,
+            depth: 0,
+        };
         let trees: Vec<(Binary, u32)> = [(triangle_boxes, BLOCKS), (solid_boxes, SOLIDS)]
             .into_iter()
             .filter(|(boxes, _)| !boxes.is_empty())

@@ -1,0 +1,91 @@
+//! The invariants of the tree, checked one by one.
+
+use super::wide::{Bvh, Held, WIDTH, WideNode};
+use common::math::{Bounds, Vec3};
+
+impl Bvh<'_> {
+    /// Every primitive is held once, every box holds what is below it, every node is reached
+    /// once.
+    pub(super) fn check(&self) -> Result<(), String> {
+        let mut triangles = vec![0u32; self.geometry.triangles().len()];
+        let mut solids = vec![0u32; self.geometry.solids().len()];
+        let mut reached = vec![0u32; self.nodes.len()];
+        let mut waiting: Vec<(usize, Bounds)> = Vec::new();
+        if !self.nodes.is_empty() {
+            waiting.push((0, Bounds { min: Vec3::NEG_INFINITY, max: Vec3::INFINITY }));
+        }
+        while let Some((index, outer)) = waiting.pop() {
+            reached[index] += 1;
+            for (lane, inner) in self.nodes[index].used() {
+                if !contains(&outer, &inner) {
+                    return Err(format!("child {lane} of node {index} reaches out of its parent's box"));
+                }
+                match self.nodes[index].child[lane].held() {
+                    Held::Node(below) => waiting.push((below, inner)),
+                    Held::Blocks(first, count) => self.check_blocks(first, count, &inner, &mut triangles)?,
+                    Held::Solids(first, count) => self.check_solids(first, count, &inner, &mut solids)?,
+                }
+            }
+        }
+        let once = |counts: &[u32]| counts.iter().all(|n| *n == 1);
+        match (once(&triangles), once(&solids), once(&reached)) {
+            (true, true, true) => Ok(()),
+            (false, ..) => Err("a triangle is held never or twice".to_owned()),
+            (_, false, _) => Err("a solid is held never or twice".to_owned()),
+            _ => Err("a node is reached never or twice".to_owned()),
+        }
+    }
+
+    fn check_blocks(
+        &self,
+        first: usize,
+        count: usize,
+        outer: &Bounds,
+        seen: &mut [u32],
+    ) -> Result<(), String> {
+        for block in &self.blocks[first..first + count] {
+            for lane in 0..block.len as usize {
+                let number = block.index[lane];
+                let place = self.geometry.triangle_numbers().partition_point(|n| *n < number);
+                let vertices = self.geometry.triangles()[place];
+                if block.vertices(lane) != vertices || !contains(outer, &Bounds::of_points(vertices)) {
+                    return Err(format!("triangle {number} is not what, or not where, it should be"));
+                }
+                seen[place] += 1;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_solids(
+        &self,
+        first: usize,
+        count: usize,
+        outer: &Bounds,
+        seen: &mut [u32],
+    ) -> Result<(), String> {
+        for &i in &self.solids[first..first + count] {
+            if !contains(outer, &self.geometry.solids()[i as usize].bounds) {
+                return Err(format!("solid {i} reaches out of its box"));
+            }
+            seen[i as usize] += 1;
+        }
+        Ok(())
+    }
+}
+
+impl WideNode {
+    /// The lanes in use, with their boxes.
+    fn used(&self) -> impl Iterator<Item = (usize, Bounds)> + '_ {
+        let corner = |lane: usize, end: usize| {
+            Vec3::new(self.side[0][end][lane], self.side[1][end][lane], self.side[2][end][lane])
+        };
+        (0..WIDTH)
+            .map(move |l| (l, Bounds { min: corner(l, 0), max: corner(l, 1) }))
+            .filter(|(_, b)| !b.is_empty())
+    }
+}
+
+fn contains(outer: &Bounds, inner: &Bounds) -> bool {
+    outer.min.cmple(inner.min).all() && inner.max.cmple(outer.max).all()
+}
