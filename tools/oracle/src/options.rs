@@ -32,8 +32,7 @@ pub enum GridFit {
     /// The course's conservative rule (§6.2), the default for the picture.
     #[default]
     Bounds,
-    /// Closed triangle–box and sphere–box overlap. A sphere under a transform goes by its
-    /// world box here too.
+    /// Closed overlap of the cell with the triangle, the solid sphere or the solid ellipsoid.
     Exact,
 }
 

@@ -82,9 +82,50 @@ fn the_conservative_rule_goes_by_cell_centres() {
 #[test]
 fn under_a_transform_a_sphere_fills_its_box() {
     let world = world(1, "Transform { Translate 0 0 0 Sphere { center 0 0 0 radius 1 } }");
-    for fit in [GridFit::Bounds, GridFit::Exact] {
-        assert_eq!(CellGrid::new(&world, picture([5, 5, 5], fit)).occupied(), 125);
+    assert_eq!(grid(&world, [5, 5, 5]).occupied(), 125);
+}
+
+/// Whether the ellipsoid M·(unit ball) meets a box, by a search: points of the box are moved
+/// to where the image is nearest to the origin, one axis at a time.
+fn meets(squares: DVec3, turn: f64, low: DVec3, high: DVec3) -> Option<bool> {
+    let (sin, cos) = turn.to_radians().sin_cos();
+    let measure = |p: DVec3| {
+        let unturned = DVec3::new(cos * p.x + sin * p.y, cos * p.y - sin * p.x, p.z);
+        (unturned * unturned * squares).element_sum()
+    };
+    let mut p = (low + high) / 2.0;
+    for _ in 0..300 {
+        for axis in 0..3 {
+            // The parabola along this axis, through three points.
+            let at = |x: f64| {
+                measure(DVec3::from_array(std::array::from_fn(|a| if a == axis { x } else { p[a] })))
+            };
+            let (y0, y1, y2) = (at(-1.0), at(0.0), at(1.0));
+            p[axis] = ((y0 - y2) / (2.0 * (y0 + y2 - 2.0 * y1))).clamp(low[axis], high[axis]);
+        }
     }
+    let least = measure(p);
+    ((least - 1.0).abs() > 1e-9).then_some(least < 1.0)
+}
+
+#[test]
+fn exactly_an_ellipsoid_fills_the_cells_it_meets() {
+    let text = "Transform { ZRotate 30 Scale 1 0.25 0.5 Sphere { center 0 0 0 radius 1 } }";
+    let grid = CellGrid::new(&world(1, text), picture([9, 8, 7], GridFit::Exact));
+    // The box around the turned corners (±1, ±¼, ±½).
+    let (sin, cos) = (0.5, 0.75f64.sqrt());
+    let corner = DVec3::new(cos + 0.25 * sin, sin + 0.25 * cos, 0.5);
+    let cells = DVec3::new(9.0, 8.0, 7.0);
+    let mut decided = 0;
+    for index in 0..9 * 8 * 7u32 {
+        let cell = [index % 9, index / 9 % 8, index / 72];
+        let low = -corner + 2.0 * corner * DVec3::from_array(cell.map(f64::from)) / cells;
+        let high = low + 2.0 * corner / cells;
+        let Some(expected) = meets(DVec3::new(1.0, 16.0, 4.0), 30.0, low, high) else { continue };
+        decided += 1;
+        assert_eq!(grid.count(cell), u32::from(expected), "{cell:?}");
+    }
+    assert!(decided > 480 && grid.occupied() < 400, "{decided}, {}", grid.occupied());
 }
 
 #[test]
