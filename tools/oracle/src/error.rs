@@ -20,6 +20,9 @@ pub enum OracleError {
         /// Where its keyword stands; the camera's for the background.
         position: Position,
     },
+    /// A mesh with interpolated normals.
+    #[error("{}: the oracle draws meshes flat, not `smooth`", at(.0))]
+    Smooth(Position),
     /// A transform, or a product of nested ones, that has no inverse.
     #[error("{}: this transform, composed with those around it, has no inverse", at(.0))]
     Singular(Position),

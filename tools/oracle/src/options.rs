@@ -32,8 +32,7 @@ pub enum GridFit {
     /// The course's conservative rule (§6.2), the default for the picture.
     #[default]
     Bounds,
-    /// Closed triangle–box and sphere–box overlap. A sphere under a transform goes by its
-    /// world box here too.
+    /// Closed overlap of the cell with the triangle, the solid sphere or the solid ellipsoid.
     Exact,
 }
 
@@ -98,7 +97,8 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Refuses options that make no picture: no pixels, an empty depth range, no cells.
+    /// Refuses options that make no picture: no pixels, an empty depth range, a
+    /// weight that is no number, no cells.
     pub(crate) fn check(&self) -> Result<(), OracleError> {
         let refuse = |text| Err(OracleError::Options(text));
         if self.width == 0 || self.height == 0 {
@@ -106,6 +106,9 @@ impl Options {
         }
         if self.depth.is_some_and(|(min, max)| !(max - min).is_normal()) {
             return refuse("the two depths must be different finite numbers");
+        }
+        if !self.weight.is_finite() || self.weight < 0.0 {
+            return refuse("the cut-off weight must be a number of at least 0");
         }
         if self.grid.is_some_and(|g| g.cells.contains(&0)) {
             return refuse("a grid needs at least one cell along each axis");

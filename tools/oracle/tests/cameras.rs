@@ -115,5 +115,6 @@ fn impossible_options_are_refused() {
     assert!(refused(Options { width: 0, ..Options::default() }));
     assert!(refused(Options { depth: Some((2.0, 2.0)), ..Options::default() }));
     assert!(refused(Options { depth: Some((f64::NAN, 2.0)), ..Options::default() }));
+    assert!(refused(Options { weight: f64::NAN, ..Options::default() }));
     assert!(!refused(Options { depth: Some((3.0, 2.0)), ..Options::default() }));
 }

@@ -4,7 +4,7 @@ mod support;
 
 use common::math::DVec3;
 use oracle::{CellGrid, CellPicture, GridFit, Options, Range, Raster, World, cell_colour, render};
-use support::{Random, close, mesh, near, ray, scene, scene_with_mesh, simple, world};
+use support::{Random, close, near, ray, scene, simple, world};
 
 fn picture(cells: [u32; 3], fit: GridFit) -> CellPicture {
     CellPicture { cells, fit }
@@ -47,106 +47,6 @@ fn planes_are_not_in_the_grid() {
     assert!(alone.pixels.iter().all(|&p| p == DVec3::Z));
     let both = drawn(&format!("{plane} Sphere {{ center 0 0 0 radius 1 }}"), 2, [1, 1, 1]);
     assert_eq!(both, drawn("Sphere { center 0 0 0 radius 1 }", 1, [1, 1, 1]));
-}
-
-#[test]
-fn corner_cells_of_a_sphere_are_empty() {
-    let world = world(1, "Sphere { center 1 2 3 radius 1 }");
-    // Cells of side 2/15: the corner cell's centre is √3·14/15 = 1.617 away, a cell reaches
-    // 0.115 from its centre.
-    for fit in [GridFit::Bounds, GridFit::Exact] {
-        let grid = CellGrid::new(&world, picture([15, 15, 15], fit));
-        assert_eq!(grid.count([0, 0, 0]), 0);
-        assert_eq!(grid.count([14, 14, 0]), 0);
-        assert_eq!(grid.count([0, 7, 7]), 1);
-        assert_eq!(grid.count([7, 7, 7]), 1);
-    }
-}
-
-#[test]
-fn the_conservative_rule_goes_by_cell_centres() {
-    let world = world(1, "Sphere { center 0 0 0 radius 1 }");
-    let grid = grid(&world, [9, 9, 9]);
-    for i in 0..9 {
-        for j in 0..9 {
-            for k in 0..9 {
-                let center = |n: u32| -1.0 + 2.0 * (f64::from(n) + 0.5) / 9.0;
-                let away = DVec3::new(center(i), center(j), center(k)).length();
-                let expected = away <= 1.0 + 3f64.sqrt() / 9.0;
-                assert_eq!(grid.count([i, j, k]), u32::from(expected), "{i} {j} {k}");
-            }
-        }
-    }
-}
-
-#[test]
-fn under_a_transform_a_sphere_fills_its_box() {
-    let world = world(1, "Transform { Translate 0 0 0 Sphere { center 0 0 0 radius 1 } }");
-    for fit in [GridFit::Bounds, GridFit::Exact] {
-        assert_eq!(CellGrid::new(&world, picture([5, 5, 5], fit)).occupied(), 125);
-    }
-}
-
-#[test]
-fn a_turned_sphere_has_the_box_of_its_turned_box() {
-    let world = world(1, "Transform { ZRotate 45 Sphere { center 0 0 0 radius 1 } }");
-    let grid = grid(&world, [1, 1, 1]);
-    let hit = grid.first(&ray(DVec3::new(9.0, 0.0, 0.0), -DVec3::X), Range::FORWARD).unwrap();
-    near(hit.t, 9.0 - 2f64.sqrt(), 1e-14);
-    assert_eq!((hit.normal, hit.count), (DVec3::X, 1));
-}
-
-#[test]
-fn triangles_fill_the_cells_of_their_box_or_exactly_their_own() {
-    let diagonal = [DVec3::ZERO, DVec3::new(4.0, 0.0, 4.0), DVec3::new(0.0, 4.0, 4.0)];
-    let text = "OrthographicCamera { center 0 0 9 direction 0 0 -1 up 0 1 0 size 4 }
-        Materials { numMaterials 1 Material { } }
-        Group { numObjects 1 MaterialIndex 0 TriangleMesh { obj_file m.obj } }";
-    let world = World::new(&scene_with_mesh(text, mesh(&[diagonal]))).unwrap();
-    let bounds = grid(&world, [4, 4, 4]);
-    assert_eq!(bounds.occupied(), 64);
-    let exact = CellGrid::new(&world, picture([4, 4, 4], GridFit::Exact));
-    // The plane is x + y = z, the triangle its part below z = 4. A cell meets it if its range
-    // of x + y − z contains 0 and x + y ≤ 4 is possible; all corners are integers.
-    for i in 0..4u32 {
-        for j in 0..4 {
-            for k in 0..4 {
-                let (low, high) = (i + j, i + j + 2);
-                let expected = low <= k + 1 && high >= k && low <= 4;
-                assert_eq!(exact.count([i, j, k]), u32::from(expected), "{i} {j} {k}");
-            }
-        }
-    }
-}
-
-#[test]
-fn touching_cells_count() {
-    // The second triangle ends on the plane x = 1 between the two cells.
-    let world = world(
-        2,
-        "Triangle { vertex0 0 0 0 vertex1 2 0 0 vertex2 0 1 1 }
-         Triangle { vertex0 0 0 0 vertex1 1 0 0 vertex2 0 1 1 }",
-    );
-    for fit in [GridFit::Bounds, GridFit::Exact] {
-        let grid = CellGrid::new(&world, picture([2, 1, 1], fit));
-        assert_eq!((grid.count([0, 0, 0]), grid.count([1, 0, 0])), (2, 2));
-    }
-}
-
-#[test]
-fn rounding_leaves_nothing_outside_the_last_cell() {
-    // Here min + (max − min) rounds to less than max, where the second triangle lies.
-    let lowest = -4e-12f32;
-    assert!(f64::from(lowest) + (1.0 - f64::from(lowest)) < 1.0);
-    let world = world(
-        2,
-        "Triangle { vertex0 -4e-12 0 0 vertex1 -4e-12 1 0 vertex2 -4e-12 0 1 }
-         Triangle { vertex0 1 0 0 vertex1 1 1 0 vertex2 1 0 1 }",
-    );
-    for fit in [GridFit::Bounds, GridFit::Exact] {
-        let grid = CellGrid::new(&world, picture([2, 1, 1], fit));
-        assert_eq!((grid.count([0, 0, 0]), grid.count([1, 0, 0])), (1, 1));
-    }
 }
 
 #[test]

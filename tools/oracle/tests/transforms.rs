@@ -120,6 +120,11 @@ fn later_assignments_are_refused() {
     let used = scene(&text(checker, &format!("MaterialIndex 1 {sphere}")));
     let error = render(&used, &Options::default()).unwrap_err();
     assert!(error.to_string().ends_with("textures belong to assignment 6"), "{error}");
+    let smooth = scene(&text(
+        "numMaterials 1 Material { }",
+        "MaterialIndex 0 TriangleMesh { obj_file m.obj smooth 1 }",
+    ));
+    assert!(matches!(World::new(&smooth), Err(OracleError::Smooth(_))));
     let unused = scene(&text(checker, &format!("MaterialIndex 0 {sphere}")));
     assert!(render(&unused, &Options::default()).is_ok());
 }

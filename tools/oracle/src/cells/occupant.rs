@@ -1,11 +1,11 @@
 //! What can fill a cell: the finite objects of a scene in world space.
 
 use super::aabb::Aabb;
-use super::overlap::{sphere_touches, triangle_touches};
+use super::overlap::{ellipsoid_touches, sphere_touches, triangle_touches};
 use crate::object::Object;
 use crate::shape::{Shape, Sphere, Triangle};
 use crate::{GridFit, World};
-use common::math::DVec3;
+use common::math::{DMat4, DVec3};
 
 /// One object as the grid counts it.
 pub(super) struct Occupant {
@@ -17,8 +17,8 @@ pub(super) struct Occupant {
 enum Form {
     /// A sphere under no transform.
     Sphere(Sphere),
-    /// A sphere under transforms: it goes by its box, whatever the fit.
-    Boxed,
+    /// A sphere under transforms, with the map from the world to its own space.
+    Ellipsoid(Sphere, DMat4),
     Triangle(Triangle),
 }
 
@@ -31,7 +31,10 @@ impl Occupant {
                 cell.center().distance(sphere.center) <= reach
             }
             (Form::Sphere(sphere), GridFit::Exact) => sphere_touches(sphere, cell),
-            (Form::Boxed, _) | (Form::Triangle(_), GridFit::Bounds) => self.bounds.touches(cell),
+            (Form::Ellipsoid(..) | Form::Triangle(_), GridFit::Bounds) => self.bounds.touches(cell),
+            (Form::Ellipsoid(sphere, to_object), GridFit::Exact) => {
+                self.bounds.touches(cell) && ellipsoid_touches(sphere, to_object, cell)
+            }
             (Form::Triangle(triangle), GridFit::Exact) => {
                 self.bounds.touches(cell) && triangle_touches(triangle, cell)
             }
@@ -56,7 +59,10 @@ fn of_object(object: &Object) -> Vec<Occupant> {
 
 fn of_sphere(object: &Object, sphere: &Sphere) -> Occupant {
     let corners = sphere.box_corners().map(|p| object.to_world.transform_point3(p));
-    let form = if object.transformed { Form::Boxed } else { Form::Sphere(*sphere) };
+    let form = match object.transformed {
+        true => Form::Ellipsoid(*sphere, object.to_object),
+        false => Form::Sphere(*sphere),
+    };
     Occupant { bounds: Aabb::of(&corners), form }
 }
 

@@ -41,10 +41,7 @@ impl Shape {
             ShapeSpec::Sphere { center, radius } => Self::Sphere(Sphere { center, radius }),
             ShapeSpec::Plane { normal, offset, disc } => Self::Plane(Plane::new(normal, offset, disc)),
             ShapeSpec::Triangle { vertices } => Self::Triangles(Soup::new(vec![vertices])),
-            ShapeSpec::Mesh { smooth: true, .. } => {
-                let (what, position) = ("a smooth mesh", node.position);
-                return Err(OracleError::Later { what, assignment: 6, position });
-            }
+            ShapeSpec::Mesh { smooth: true, .. } => return Err(OracleError::Smooth(node.position)),
             ShapeSpec::Mesh { mesh, .. } => {
                 let missing = OracleError::Missing { what: "mesh", position: node.position };
                 let mesh = scene.meshes.get(mesh as usize).ok_or(missing)?;
