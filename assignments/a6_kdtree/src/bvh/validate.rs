@@ -89,3 +89,10 @@ impl WideNode {
 fn contains(outer: &Bounds, inner: &Bounds) -> bool {
     outer.min.cmple(inner.min).all() && inner.max.cmple(outer.max).all()
 }
+
+impl Bvh<'_> {
+    /// All of the tree in text, to compare two builds.
+    pub fn fingerprint(&self) -> String {
+        format!("{:?} {:?} {:?}", self.nodes, self.blocks, self.solids)
+    }
+}

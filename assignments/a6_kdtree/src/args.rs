@@ -1,0 +1,128 @@
+//! The flags of assignment 6, on top of those of assignments 1 to 5.
+
+use crate::bvh::Bvh;
+use a1_ray_casting::CastArgs;
+use a5_grid::{Cells, GridArgs, Structure};
+use common::accel::{Accel, List};
+use common::cli::AppError;
+use common::geometry::Geometry;
+
+/// From this many finite primitives on, a hierarchy beats asking all of them: one node's eight
+/// boxes cost about as much as one block of eight triangles.
+const WORTH_A_TREE: usize = 16;
+
+/// Ray tracing through a bounding volume hierarchy, or any structure of the steps below.
+#[derive(clap::Parser)]
+#[command(
+    name = "a6_kdtree",
+    version,
+    rename_all = "snake_case",
+    after_help = "Example:\n  a6_kdtree -input scenes/scene5_09_bunny_mesh_40k.txt -size 200 200 -output out.tga -shadows -stats"
+)]
+pub struct Program {
+    /// All flags.
+    #[command(flatten)]
+    pub args: AccelArgs,
+}
+
+/// The choice of structure.
+#[derive(Clone, Debug, clap::Args)]
+#[command(rename_all = "snake_case", next_help_heading = "Assignment 6: trees")]
+pub struct AccelArgs {
+    /// What finds hits; never changes a picture. Auto takes the grid if -grid is given, the list
+    /// for a handful of primitives, else the hierarchy
+    #[arg(long, value_name = "STRUCTURE", value_enum, default_value_t)]
+    pub accel: Choice,
+
+    /// Flags of assignments 1 to 5.
+    #[command(flatten)]
+    pub grid: GridArgs,
+}
+
+/// The structures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Choice {
+    /// What should be fastest
+    #[default]
+    Auto,
+    /// Every primitive is asked
+    List,
+    /// The uniform grid of assignment 5; needs -grid NX NY NZ
+    Grid,
+    /// The bounding volume hierarchy
+    Bvh,
+}
+
+/// What the rays are traced through.
+pub enum Tracer<'g> {
+    /// A structure of assignment 5.
+    Lower(Structure<'g>),
+    /// The hierarchy.
+    Bvh(Box<Bvh<'g>>),
+}
+
+impl Tracer<'_> {
+    /// The structure behind the common seam.
+    pub fn as_accel(&self) -> &dyn Accel {
+        match self {
+            Self::Lower(lower) => lower.as_accel(),
+            Self::Bvh(bvh) => &**bvh,
+        }
+    }
+
+    /// What was built, for `-stats`.
+    pub fn describe(&self) -> String {
+        match self {
+            Self::Lower(lower) => lower.describe(),
+            Self::Bvh(bvh) => {
+                let (nodes, blocks, depth) = bvh.counts();
+                let kib = bvh.bytes().div_ceil(1024);
+                format!("structure: hierarchy, {nodes} nodes, {blocks} blocks, depth {depth}, {kib} KiB")
+            }
+        }
+    }
+}
+
+impl AccelArgs {
+    /// Flags of assignment 1.
+    pub fn cast(&self) -> &CastArgs {
+        self.grid.cast()
+    }
+
+    /// Refuses impossible and empty tasks, warns of flags without effect.
+    ///
+    /// # Errors
+    /// Those of assignment 5; a grid that is chosen but not given.
+    pub fn check(&self) -> Result<(), AppError> {
+        if self.accel == Choice::Grid && self.grid.grid.is_none() {
+            return Err(AppError::Usage("-accel grid needs -grid NX NY NZ".to_owned()));
+        }
+        if self.grid.grid.is_some() && matches!(self.accel, Choice::List | Choice::Bvh) {
+            common::cli::warn("-grid has no effect with this -accel");
+        }
+        self.grid.check()
+    }
+
+    /// The structure that finds hits.
+    ///
+    /// # Errors
+    /// If a grid would hold too many references.
+    pub fn structure<'g>(
+        &self,
+        geometry: &'g Geometry,
+        cells: Option<Cells>,
+    ) -> Result<Tracer<'g>, AppError> {
+        let finite = geometry.triangles().len() + geometry.solids().len();
+        let choice = match (self.accel, &cells) {
+            (Choice::Auto, Some(_)) => Choice::Grid,
+            (Choice::Auto, None) if finite < WORTH_A_TREE => Choice::List,
+            (Choice::Auto, None) => Choice::Bvh,
+            (choice, _) => choice,
+        };
+        Ok(match choice {
+            Choice::Bvh => Tracer::Bvh(Box::new(Bvh::new(geometry))),
+            Choice::Grid => Tracer::Lower(self.grid.structure(geometry, cells)?),
+            _ => Tracer::Lower(Structure::List(List::new(geometry))),
+        })
+    }
+}
