@@ -16,8 +16,8 @@ fn scenes() -> BTreeSet<String> {
 
 /// Side of a picture, so that brute force takes a fraction of a second.
 fn side(primitives: usize) -> u32 {
-    const RAY_TESTS: f64 = 4e6;
-    (RAY_TESTS / primitives as f64).sqrt().clamp(64.0, 160.0) as u32
+    const RAY_TESTS: f64 = 2e6;
+    (RAY_TESTS / primitives as f64).sqrt().clamp(64.0, 120.0) as u32
 }
 
 /// The flags of the pictures to compare: everything on, and in scenes with glass both ways of

@@ -51,7 +51,7 @@ fn with_and_without(scene: &PathBuf, flags: &str, skip: Skip) -> [Counters; 2] {
 
 #[test]
 fn a5t4_tiles_that_see_nothing() {
-    let scene = workspace_file("scenes/scene5_06_bunny_mesh_200.txt");
+    let scene = workspace_file("scenes/scene2_09_bunny_200.txt");
     let [skipping, toiling] = with_and_without(&scene, "-size 200 200", Skip::Tile);
     assert!(skipping.skipped_empty_tile > 0);
     assert_eq!(skipping.rays + skipping.skipped_empty_tile, PIXELS);

@@ -30,7 +30,8 @@ fn threads_and_tiles_never_change_a_picture() {
                 let actual = films(&stage);
                 let what = format!("{scene}: {threads} threads, tiles of {tile}");
                 assert_eq!(expected.first_difference(&actual), None, "{what}");
-                let work = |f: &Films| (f.counters.rays + f.counters.skipped_empty_tile, f.counters.shadow_rays);
+                let work =
+                    |f: &Films| (f.counters.rays + f.counters.skipped_empty_tile, f.counters.shadow_rays);
                 assert_eq!(work(&expected), work(&actual), "{what}: rays");
             }
         }
