@@ -4,6 +4,7 @@
 //! * [`program`]: runs one of them inside the test process, its pictures in a folder of choice;
 //! * [`reference`]: draws the same pictures with the double-precision oracle, and keeps them in
 //!   `tests/references`;
+//! * [`stage`]: renders scenes through any structure, for comparisons to the last bit;
 //! * [`binary`] and [`battery`]: run the real programs, on good and on hostile input. The
 //!   `tests/cli.rs` of every assignment uses them.
 
@@ -13,6 +14,7 @@ mod command_line;
 pub mod cost;
 pub mod program;
 pub mod reference;
+pub mod stage;
 
 pub use command_line::{CommandLine, Picture, PictureKind};
 

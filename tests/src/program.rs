@@ -7,14 +7,14 @@ use common::cli::{AppError, try_parse_from};
 use common::picture::{Film, Transfer, read};
 use std::path::Path;
 
-/// Parses words as the program `P` does.
+/// Parses words, the program's name first, as the program `P` does.
 ///
 /// # Panics
 /// If they are refused.
-pub fn parsed<P: Parser>(line: &CommandLine) -> P {
-    match try_parse_from::<P>(&line.words) {
+pub fn parsed_words<P: Parser>(words: &[String]) -> P {
+    match try_parse_from::<P>(words) {
         Ok(parsed) => parsed.options,
-        Err(stop) => panic!("{line}\n{}", stop.text),
+        Err(stop) => panic!("{}\n{}", words.join(" "), stop.text),
     }
 }
 
@@ -26,11 +26,11 @@ pub fn parsed<P: Parser>(line: &CommandLine) -> P {
 pub fn run(line: &CommandLine, folder: &Path) -> Result<(), AppError> {
     let line = line.redirected(folder).without("-gui");
     match line.assignment {
-        1 => a1_ray_casting::run(&parsed::<a1_ray_casting::Program>(&line).args),
-        2 => a2_transforms::run(&parsed::<a2_transforms::Program>(&line).args),
-        3 => a3_phong::run(&parsed::<a3_phong::Program>(&line).args),
-        4 => a4_whitted::run(&parsed::<a4_whitted::Program>(&line).args),
-        5 => a5_grid::run(&parsed::<a5_grid::Program>(&line).args),
+        1 => a1_ray_casting::run(&parsed_words::<a1_ray_casting::Program>(&line.words).args),
+        2 => a2_transforms::run(&parsed_words::<a2_transforms::Program>(&line.words).args),
+        3 => a3_phong::run(&parsed_words::<a3_phong::Program>(&line.words).args),
+        4 => a4_whitted::run(&parsed_words::<a4_whitted::Program>(&line.words).args),
+        5 => a5_grid::run(&parsed_words::<a5_grid::Program>(&line.words).args),
         other => Err(AppError::Usage(format!("assignment {other} draws no such pictures"))),
     }
 }

@@ -144,11 +144,13 @@ fn choose_instructions(args: &CastArgs) -> Result<(), AppError> {
 }
 
 fn check_outputs(args: &CastArgs, outputs: &[&Path], size: Size) -> Result<(), AppError> {
+    let scene = place(&args.input);
+    let places: Vec<PathBuf> = outputs.iter().map(|path| place(path)).collect();
     for (i, path) in outputs.iter().enumerate() {
-        if outputs[..i].contains(path) {
+        if places[..i].contains(&places[i]) {
             return Err(AppError::Usage(format!("two pictures would be written to {}", path.display())));
         }
-        if *path == args.input {
+        if places[i] == scene {
             return Err(AppError::Usage(format!(
                 "{} is the scene; a picture would destroy it",
                 path.display()
@@ -157,6 +159,16 @@ fn check_outputs(args: &CastArgs, outputs: &[&Path], size: Size) -> Result<(), A
         check_output(path, size)?;
     }
     Ok(())
+}
+
+/// One name for every spelling of a file's name (`a.tga`, `./a.tga`, a link to it), also if only
+/// its folder is there yet.
+fn place(path: &Path) -> PathBuf {
+    let in_folder = || {
+        let folder = path.parent().filter(|folder| *folder != "").unwrap_or(Path::new("."));
+        Some(folder.canonicalize().ok()?.join(path.file_name()?))
+    };
+    path.canonicalize().ok().or_else(in_folder).unwrap_or_else(|| path.to_owned())
 }
 
 /// Solid textures are drawn from assignment 6 on; a wrong picture would be worse than none.
