@@ -1,6 +1,6 @@
 //! The binary tree that the wide one is made from.
 
-use super::split::{Item, best_cut, half_area};
+use super::split::{Item, best_cut};
 use common::math::{Bounds, Vec3};
 
 /// Below this depth sets are halved by number, which ends after at most 32 more levels.
@@ -111,27 +111,19 @@ fn build(task: Task, items: &mut [Item], nodes: &mut [BinaryNode]) {
 
 /// Sorts the items into two sides and returns the size of the left one; `None` makes a leaf.
 fn cut(task: &Task, items: &mut [Item]) -> Option<usize> {
-    if items.len() <= 1 {
+    // A block costs what a node costs, so splitting one never pays.
+    if items.len() <= task.block {
         return None;
     }
-    let halves = (items.len() > task.block).then_some(items.len() / 2);
+    let half = Some(items.len() / 2);
     if task.depth >= DEEP {
-        return halves;
+        return half;
     }
-    let block = task.block as f32;
-    let Some(cut) = best_cut(items, &task.centers, block) else {
-        // All centres are one point: no plane tells them apart, so they are halved until they
-        // fit a leaf; the tree stays balanced.
-        return halves;
-    };
-    let as_leaf = half_area(&task.bounds) * (items.len() as f32 / block).ceil();
-    // Asking a node's boxes costs about as much as asking a block's triangles.
-    let as_node = half_area(&task.bounds) + cut.cost;
-    if items.len() <= task.block && as_leaf <= as_node {
-        return None;
-    }
+    // Without a cut all centres are one point: no plane tells the items apart, and halving them
+    // keeps the tree balanced.
+    let Some(cut) = best_cut(items, &task.centers, task.block as f32) else { return half };
     let left = partition(items, |item| cut.is_left(item));
-    (left > 0 && left < items.len()).then_some(left).or(halves)
+    if left > 0 && left < items.len() { Some(left) } else { half }
 }
 
 /// Moves the items that `is_left` to the front, keeping nothing else in order.

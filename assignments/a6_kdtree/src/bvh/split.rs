@@ -36,8 +36,6 @@ pub struct Cut {
     bin: usize,
     low: f32,
     scale: f32,
-    /// Σ area × number of blocks, over both sides.
-    pub cost: f32,
 }
 
 impl Cut {
@@ -81,11 +79,11 @@ pub fn best_cut(items: &[Item], centers: &Bounds, block: f32) -> Option<Cut> {
         .filter(|&axis| size[axis] > 0.0 && scale[axis].is_finite())
         .flat_map(|axis| cuts_of(&bins[axis], block).map(move |(bin, cost)| (axis, bin, cost)))
         .reduce(|best, cut| if cut.2 < best.2 { cut } else { best })
-        .map(|(axis, bin, cost)| Cut { axis, bin, low: centers.min[axis], scale: scale[axis], cost })
+        .map(|(axis, bin, _)| Cut { axis, bin, low: centers.min[axis], scale: scale[axis] })
 }
 
 /// The cost of cutting before each bin, for cuts that leave both sides something.
-fn cuts_of(bins: &Bins, block: f32) -> impl Iterator<Item = (usize, f32)> {
+fn cuts_of(bins: &Bins, block: f32) -> impl Iterator<Item = (usize, f32)> + '_ {
     let mut right = [(0.0, 0u32); BINS];
     let (mut bounds, mut count) = (Bounds::EMPTY, 0);
     for bin in (1..BINS).rev() {
@@ -93,16 +91,13 @@ fn cuts_of(bins: &Bins, block: f32) -> impl Iterator<Item = (usize, f32)> {
         count += bins.count[bin];
         right[bin] = (half_area(&bounds), count);
     }
-    let mut costs = [(0, 0.0); BINS];
-    let (mut bounds, mut count, mut n) = (Bounds::EMPTY, 0, 0);
-    for bin in 1..BINS {
+    let (mut bounds, mut count) = (Bounds::EMPTY, 0);
+    (1..BINS).filter_map(move |bin| {
         bounds = bounds.union(&bins.bounds[bin - 1]);
         count += bins.count[bin - 1];
-        if count > 0 && right[bin].1 > 0 {
-            let blocks = |items: u32| (items as f32 / block).ceil();
-            costs[n] = (bin, half_area(&bounds) * blocks(count) + right[bin].0 * blocks(right[bin].1));
-            n += 1;
-        }
-    }
-    costs.into_iter().take(n)
+        let (right_area, right_count) = right[bin];
+        let blocks = |items: u32| (items as f32 / block).ceil();
+        let cost = half_area(&bounds) * blocks(count) + right_area * blocks(right_count);
+        (count > 0 && right_count > 0).then_some((bin, cost))
+    })
 }

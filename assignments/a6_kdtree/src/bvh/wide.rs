@@ -115,8 +115,8 @@ impl<'g> Bvh<'g> {
 
     /// The root holds the opened roots of both trees; below it each node is of one tree.
     fn collapse_all(&mut self, trees: &[(Binary, u32)]) {
-        let mut waiting: Vec<(usize, Vec<(usize, u32)>, usize)> = Vec::new();
-        let roots: Vec<(usize, u32)> = (0..trees.len()).map(|t| (t, 0)).collect();
+        let mut waiting: Vec<(usize, Vec<Seed>, usize)> = Vec::new();
+        let roots: Vec<Seed> = (0..trees.len()).map(|t| (t, 0)).collect();
         if roots.is_empty() {
             return;
         }
@@ -163,9 +163,12 @@ impl<'g> Bvh<'g> {
     }
 }
 
+/// A node of one of the binary trees: which tree, which node.
+type Seed = (usize, u32);
+
 /// Opens the largest inner node among the seeds until there are eight, or only leaves.
-fn open(trees: &[(Binary, u32)], mut seeds: Vec<(usize, u32)>) -> Vec<(usize, u32)> {
-    let node = |(tree, number): (usize, u32)| -> &BinaryNode { &trees[tree].0.nodes[number as usize] };
+fn open(trees: &[(Binary, u32)], mut seeds: Vec<Seed>) -> Vec<Seed> {
+    let node = |(tree, number): Seed| -> &BinaryNode { &trees[tree].0.nodes[number as usize] };
     while seeds.len() < WIDTH {
         let inner = (0..seeds.len()).filter(|&i| node(seeds[i]).count == 0);
         let area = |i: usize| half_area(&node(seeds[i]).bounds);
