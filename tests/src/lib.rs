@@ -2,10 +2,10 @@
 //!
 //! * [`CommandLine`]: the course's command lines, read from `tests/commands`;
 //! * [`program`]: runs one of them inside the test process, its pictures in a folder of choice;
-//! * [`reference`]: draws the same pictures with the double-precision oracle, and keeps them in
+//! * [`mod@reference`]: draws the same pictures with the double-precision oracle, and keeps them in
 //!   `tests/references`;
 //! * [`stage`]: renders scenes through any structure, for comparisons to the last bit;
-//! * [`binary`] and [`battery`]: run the real programs, on good and on hostile input. The
+//! * [`binary`] and [`mod@battery`]: run the real programs, on good and on hostile input. The
 //!   `tests/cli.rs` of every assignment uses them.
 
 pub mod battery;

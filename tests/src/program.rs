@@ -3,7 +3,7 @@
 
 use crate::{CommandLine, Picture};
 use clap::Parser;
-use common::cli::{AppError, try_parse_from};
+use common::cli::{AppError, set_quiet, try_parse_from};
 use common::picture::{Film, Transfer, read};
 use std::path::Path;
 
@@ -25,6 +25,8 @@ pub fn parsed_words<P: Parser>(words: &[String]) -> P {
 /// Those of the program.
 pub fn run(line: &CommandLine, folder: &Path) -> Result<(), AppError> {
     let line = line.redirected(folder).without("-gui");
+    // Flags of the window are part of the course's lines, and warned of without one.
+    set_quiet(true);
     match line.assignment {
         1 => a1_ray_casting::run(&parsed_words::<a1_ray_casting::Program>(&line.words).args),
         2 => a2_transforms::run(&parsed_words::<a2_transforms::Program>(&line.words).args),

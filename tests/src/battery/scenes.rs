@@ -52,7 +52,7 @@ fn refused_scene(binary: &Binary, text: &[u8], needles: &[&str]) {
     refused(binary, &scratch(text), &args, needles);
 }
 
-/// The classic mistakes of [`MISTAKES`], one at a time.
+/// The mistakes that are made most, one at a time.
 ///
 /// # Panics
 /// If one is not refused as it should be.
