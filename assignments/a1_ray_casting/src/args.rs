@@ -1,6 +1,6 @@
 //! The flags of assignment 1; every later assignment flattens them into its own.
 
-use crate::{Depth, Picture};
+use crate::{Depth, Layer, Picture};
 use common::cli::{AppError, GeneralArgs};
 use common::picture::Size;
 use std::path::{Path, PathBuf};
@@ -35,7 +35,7 @@ pub struct CastArgs {
     #[arg(long, num_args = 2, value_names = ["W", "H"], default_values = ["100", "100"])]
     pub size: Vec<i64>,
 
-    /// Depth picture: grey, white at distance MIN from the camera's plane, black at MAX
+    /// Depth picture: grey, white at distance MIN along the ray, black at MAX
     #[arg(long, num_args = 3, value_names = ["MIN", "MAX", "PICTURE"])]
     pub depth: Option<Vec<String>>,
 
@@ -57,6 +57,12 @@ impl CastArgs {
     pub fn outputs(&self) -> Vec<&Path> {
         let depth = self.depth.iter().map(|d| Path::new(&d[2]));
         self.output.iter().map(PathBuf::as_path).chain(depth).collect()
+    }
+
+    /// The colour picture, if there is a file for it or its statistics are wanted.
+    pub fn color_picture<'a>(&self, layer: impl Layer + 'a) -> Option<Picture<'a>> {
+        let wanted = self.output.is_some() || self.general.program.stats;
+        wanted.then(|| Picture { path: self.output.clone(), layer: Box::new(layer) })
     }
 
     /// Whether neither a picture nor the statistics are asked for.
@@ -84,7 +90,7 @@ impl CastArgs {
     /// The depth picture, if asked for. Its range has been checked by [`crate::Studio::open`].
     pub fn depth_picture(&self) -> Option<Picture<'static>> {
         let layer = self.depth_layer().ok().flatten()?;
-        let path = PathBuf::from(&self.depth.as_ref()?[2]);
+        let path = Some(PathBuf::from(&self.depth.as_ref()?[2]));
         Some(Picture { path, layer: Box::new(layer) })
     }
 }

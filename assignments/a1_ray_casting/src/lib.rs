@@ -29,7 +29,7 @@ pub fn run(args: &CastArgs) -> Result<(), AppError> {
     let list = report.time("build", || List::new(&studio.geometry));
     let color = FlatColor::new(&studio.scene);
     let mut pictures = Vec::new();
-    pictures.extend(picture(&args.output, color));
+    pictures.extend(args.color_picture(color));
     pictures.extend(args.depth_picture());
     studio.shoot(args, &list, &pictures, report)
 }

@@ -18,15 +18,15 @@ const WORTH_CULLING: usize = 16;
 
 /// A layer and the file it is written to.
 pub struct Picture<'a> {
-    /// Where it goes.
-    pub path: PathBuf,
+    /// Where it goes; `None` renders it for its statistics only.
+    pub path: Option<PathBuf>,
     /// What it shows.
     pub layer: Box<dyn Layer + 'a>,
 }
 
 /// The picture of `layer`, if there is a file for it.
 pub fn picture<'a>(path: &Option<PathBuf>, layer: impl Layer + 'a) -> Option<Picture<'a>> {
-    let path = path.clone()?;
+    let path = Some(path.clone()?);
     Some(Picture { path, layer: Box::new(layer) })
 }
 
@@ -78,7 +78,8 @@ impl Studio {
         let films = report.time("render", || self.render(args, accel, &layers));
         report.counters += films.1;
         report.time("write", || {
-            pictures.iter().zip(&films.0).try_for_each(|(p, film)| write(&p.path, film, Transfer::Linear))
+            let files = pictures.iter().zip(&films.0).filter_map(|(p, film)| Some((p.path.as_ref()?, film)));
+            files.into_iter().try_for_each(|(path, film)| write(path, film, Transfer::Linear))
         })?;
         if args.general.program.stats {
             cli::say(&report.to_string());
@@ -88,6 +89,9 @@ impl Studio {
 
     /// A1T1: one ray through the centre of every pixel; every layer looks at the same hit.
     pub fn render(&self, args: &CastArgs, accel: &dyn Accel, layers: &[&dyn Layer]) -> (Vec<Film>, Counters) {
+        if layers.is_empty() {
+            return (Vec::new(), Counters::default());
+        }
         let needs_hit = layers.iter().any(|l| l.needs_hit());
         let options = args.general.tile_options("rendering");
         let rendered = render(

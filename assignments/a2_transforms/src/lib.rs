@@ -17,7 +17,7 @@ pub use incident::{Incident, Source, incident};
 pub use local::{LocalLight, Unshadowed, Visibility};
 pub use normals::Normals;
 
-use a1_ray_casting::{Studio, picture};
+use a1_ray_casting::Studio;
 use common::accel::List;
 use common::cli::AppError;
 
@@ -31,6 +31,6 @@ pub fn run(args: &DiffuseArgs) -> Result<(), AppError> {
     let list = report.time("build", || List::new(&studio.geometry));
     let color = DiffuseColor { scene: &studio.scene, light: args.local_light(&studio.scene) };
     let mut pictures = args.side_pictures();
-    pictures.extend(picture(&args.cast.output, color));
+    pictures.extend(args.cast.color_picture(color));
     studio.shoot(&args.cast, &list, &pictures, report)
 }

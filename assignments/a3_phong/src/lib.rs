@@ -16,7 +16,7 @@ pub use preview::{Preview, Shading};
 pub use raster::{Canvas, Corner, rasterise};
 pub use tessellate::{Face, Resolution, Tessellation, Tessellator, Vertex};
 
-use a1_ray_casting::{Studio, picture};
+use a1_ray_casting::Studio;
 use common::accel::List;
 use common::cli::AppError;
 
@@ -31,6 +31,6 @@ pub fn run(args: &PhongArgs) -> Result<(), AppError> {
     let list = report.time("build", || List::new(&studio.geometry));
     let color = args.color(&studio.scene);
     let mut pictures = args.diffuse.side_pictures();
-    pictures.extend(picture(&args.cast().output, color));
+    pictures.extend(args.cast().color_picture(color));
     studio.shoot(args.cast(), &list, &pictures, report)
 }

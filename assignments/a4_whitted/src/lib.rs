@@ -15,7 +15,7 @@ pub use optics::{Crossing, mirror, refract};
 pub use tree::{NoRecord, RayKind, RayNode, RayTree, Recorder};
 pub use whitted::{Rules, Whitted, WhittedColor};
 
-use a1_ray_casting::{Report, Studio, picture};
+use a1_ray_casting::{Report, Studio};
 use common::accel::{Accel, List};
 use common::cli::AppError;
 
@@ -44,6 +44,6 @@ pub fn shoot(
     let whitted = args.whitted(&studio.scene, accel);
     args.print_ray_tree(studio, &whitted, &mut report)?;
     let mut pictures = args.phong.diffuse.side_pictures();
-    pictures.extend(picture(&args.cast().output, WhittedColor { whitted }));
+    pictures.extend(args.cast().color_picture(WhittedColor { whitted }));
     studio.shoot(args.cast(), accel, &pictures, report)
 }

@@ -17,7 +17,7 @@ pub use march::{March, Step};
 pub use structure::Structure;
 pub use voxelise::Fit;
 
-use a1_ray_casting::{Report, Studio, picture};
+use a1_ray_casting::{Report, Studio};
 use common::accel::List;
 use common::cli::AppError;
 use common::math::{Bounds, Vec3};
@@ -65,6 +65,6 @@ fn picture_of_cells(
     let light = args.whitted.phong.diffuse.local_light(&studio.scene);
     let layer = CellPicture { cells: &cells, counts: &counts, light, interval: studio.camera.interval };
     let mut pictures = side;
-    pictures.extend(picture(&args.cast().output, layer));
+    pictures.extend(args.cast().color_picture(layer));
     studio.shoot(args.cast(), structure.as_accel(), &pictures, report)
 }
