@@ -84,7 +84,7 @@ impl<'g> Bvh<'g> {
     pub fn new(geometry: &'g Geometry) -> Self {
         let triangle_boxes: Vec<Bounds> =
             geometry.triangles().iter().map(|t| Bounds::of_points(*t)).collect();
-        let solid_boxes: Vec<Bounds> = geometry.solids().iter().map(|s| s.bounds).collect();
+        let solid_boxes: Vec<Bounds> = geometry.solids().iter().map(|s| roomy(&s.bounds)).collect();
         let triangle_bounds = triangle_boxes.iter().fold(Bounds::EMPTY, |b, t| b.union(t));
         let mut bvh = Self {
             geometry,
@@ -161,6 +161,13 @@ impl<'g> Bvh<'g> {
         );
         Child::run(BLOCKS, first, self.blocks.len() - first)
     }
+}
+
+/// The box of a round body, widened by 2⁻²² of its reach: rays that pass the body by within the
+/// rounding of `f64` hit it, and must meet its box.
+fn roomy(bounds: &Bounds) -> Bounds {
+    let slack = Vec3::splat(bounds.min.abs().max(bounds.max.abs()).max_element() / (1 << 22) as f32);
+    Bounds { min: bounds.min - slack, max: bounds.max + slack }
 }
 
 /// A node of one of the binary trees: which tree, which node.
