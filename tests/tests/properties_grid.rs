@@ -53,12 +53,12 @@ fn check(cells: &Cells, ray: &Ray, forward: bool) -> Result<f64, String> {
 
 #[test]
 fn p11_the_march_visits_the_cells_of_exact_arithmetic() {
-    let longest = run("p11 march, random rays", 1101, 250_000, |draw| {
+    let longest = run("p11 march, random rays, up to 1024 cells an axis", 1101, 100_000, |draw| {
         let cells = any_cells(draw, 1024);
         random_ray(draw, &cells).and_then(|(ray, forward)| check(&cells, &ray, forward))
     });
     assert!(longest > 1000.0, "the longest way had only {longest} cells");
-    run("p11 march, random rays, few cells", 1102, 750_000, |draw| {
+    run("p11 march, random rays, up to 40 cells an axis", 1102, 900_000, |draw| {
         let cells = any_cells(draw, 40);
         random_ray(draw, &cells).and_then(|(ray, forward)| check(&cells, &ray, forward))
     });

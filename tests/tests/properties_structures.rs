@@ -104,9 +104,10 @@ fn p10_list_and_grid_agree_on_every_scene() {
 /// coarse.
 #[test]
 fn p10_list_and_grid_agree_far_away() {
-    let scales = [1e-6f32, 1.0, 1e6, 2f32.powi(60), 2f32.powi(-60)];
-    let offsets = [Vec3::ZERO, Vec3::new(148_376.0, 1234.0, -223_423.0), Vec3::splat(1e7)];
-    for (scale, offset) in scales.into_iter().flat_map(|s| offsets.map(|o| (s, o))) {
+    let far = Vec3::new(148_376.0, 1234.0, -223_423.0);
+    let mut places = [1e-6f32, 1.0, 1e6, 2f32.powi(60), 2f32.powi(-60)].map(|s| (s, Vec3::ZERO)).to_vec();
+    places.extend([(16.0, far), (1000.0, far), (1000.0, Vec3::splat(1e7)), (1e6, far * 10.0)]);
+    for (scale, offset) in places {
         let mesh = lumpy_sphere(2, 21);
         let place = |i: &u32| mesh.positions[*i as usize] * scale + offset;
         let triangles: Vec<_> = mesh.triangles.iter().map(|t| [place(&t[0]), place(&t[1]), place(&t[2])]).collect();

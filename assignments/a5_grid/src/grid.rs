@@ -51,6 +51,8 @@ impl<'g> Grid<'g> {
     /// # Errors
     /// If the cells together would hold too many references.
     pub fn new(geometry: &'g Geometry, cells: Cells, fit: Fit) -> Result<Self, String> {
+        // Triangles are decided exactly and need no margin.
+        let cells = if geometry.solids().is_empty() { cells } else { cells.padded() };
         let (mut triangles, mut solids) = (Vec::new(), Vec::new());
         for (i, vertices) in geometry.triangles().iter().enumerate() {
             triangle_cells(&cells, vertices, fit, |c| triangles.push((cells.index(c) as u32, i as u32)));

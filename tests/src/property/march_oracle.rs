@@ -23,6 +23,9 @@ impl Event {
 
     /// The order of the exact quotients. Rounded ones decide if they are far apart.
     fn order(&self, other: &Self) -> Ordering {
+        if (self.axis, self.plane) == (other.axis, other.plane) {
+            return Ordering::Equal;
+        }
         let (a, b) = (self.t(), other.t());
         if (a - b).abs() > (a.abs() + b.abs()) * 1e-12 {
             return a.total_cmp(&b);
