@@ -29,6 +29,13 @@ fn octahedron(level: u32) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     (points, triangles)
 }
 
+/// A convex sphere of 8·4^level triangles; no two neighbours lie in one plane, so that it stays
+/// convex when its corners are rounded.
+pub fn convex_sphere(level: u32) -> Mesh {
+    let (points, triangles) = octahedron(level);
+    Mesh { positions: points.iter().map(|p| p.as_vec3()).collect(), triangles, ..Mesh::default() }
+}
+
 /// A sphere of 8·4^level triangles with lumps: no two edges have the same direction.
 pub fn lumpy_sphere(level: u32, seed: u64) -> Mesh {
     let (points, triangles) = octahedron(level);

@@ -19,7 +19,7 @@ mod worlds;
 
 pub use dyadic::Dyadic;
 pub use march_oracle::cells_crossed;
-pub use meshes::{closed_meshes, fan, file_mesh, lattice_sphere, lumpy_sphere};
+pub use meshes::{closed_meshes, convex_sphere, fan, file_mesh, lattice_sphere, lumpy_sphere};
 pub use placed::{Placement, aim, placed, simd_levels};
 pub use random::Draw;
 pub use reproducer::{ray_bits, triangle_bits};
