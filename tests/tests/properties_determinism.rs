@@ -35,14 +35,20 @@ fn picture(scene: &Scene, accel: &dyn Accel, options: &TileOptions) -> (Film, Co
     let light = LocalLight { scene, shade_back: true };
     let whitted = Whitted { scene, accel, light, phong: Phong::default(), rules: RULES };
     let layer = WhittedColor { whitted };
-    let mut rendered = render(size, 1, options, || (), |(), tile, counters: &mut Counters, out| {
-        for (x, y) in tile.pixels() {
-            let at = screen_position(size, f64::from(x) + 0.5, f64::from(y) + 0.5);
-            let ray = camera.ray(at);
-            let hit = accel.nearest(&ray, camera.interval, counters);
-            out.set(0, x, y, layer.value(&Sight::new(accel.geometry(), ray, hit), counters));
-        }
-    });
+    let mut rendered = render(
+        size,
+        1,
+        options,
+        || (),
+        |(), tile, counters: &mut Counters, out| {
+            for (x, y) in tile.pixels() {
+                let at = screen_position(size, f64::from(x) + 0.5, f64::from(y) + 0.5);
+                let ray = camera.ray(at);
+                let hit = accel.nearest(&ray, camera.interval, counters);
+                out.set(0, x, y, layer.value(&Sight::new(accel.geometry(), ray, hit), counters));
+            }
+        },
+    );
     assert!(rendered.complete);
     (rendered.films.remove(0), rendered.counters)
 }

@@ -14,7 +14,12 @@ use tests::property::{Draw, cells_crossed, ray_bits, run};
 fn any_cells(draw: &mut Draw, most: u32) -> Cells {
     let mut count = || 1 + (f64::from(most) * draw.unit().powi(4)) as u32;
     let counts = [count(), count(), count()];
-    let size = draw.pick(&[Vec3::splat(1.0), Vec3::splat(10.0), Vec3::new(7.0, 10.0, 3.0), Vec3::new(1e-3, 1.0, 1e3)]);
+    let size = draw.pick(&[
+        Vec3::splat(1.0),
+        Vec3::splat(10.0),
+        Vec3::new(7.0, 10.0, 3.0),
+        Vec3::new(1e-3, 1.0, 1e3),
+    ]);
     let corner = draw.pick(&[Vec3::ZERO, Vec3::splat(-0.5), Vec3::new(-3.7, 11.3, 0.1), Vec3::splat(1e5)]);
     Cells::new(counts, &Bounds { min: corner, max: corner + size })
 }
@@ -32,7 +37,8 @@ fn check(cells: &Cells, ray: &Ray, forward: bool) -> Result<f64, String> {
     let crossed = cells_crossed(&cells.planes, ray, forward);
     // A ray that only touches the box may name the cell that it touches.
     let touches = crossed.is_empty() && visited.len() <= 1;
-    let ordered = steps.iter().all(|s| s.enter <= s.exit) && steps.windows(2).all(|w| w[0].exit == w[1].enter);
+    let ordered =
+        steps.iter().all(|s| s.enter <= s.exit) && steps.windows(2).all(|w| w[0].exit == w[1].enter);
     if (visited == crossed || touches) && ordered {
         return Ok(crossed.len() as f64);
     }
@@ -107,7 +113,11 @@ fn holder(cells: &Cells, p: DVec3) -> Option<[usize; 3]> {
         let planes = &cells.planes[a];
         let above = planes.partition_point(|plane| *plane <= p[a]);
         let margin = 1e-9 * (planes[planes.len() - 1] - planes[0]).max(p[a].abs());
-        if above == 0 || above == planes.len() || p[a] - planes[above - 1] < margin || planes[above] - p[a] < margin {
+        if above == 0
+            || above == planes.len()
+            || p[a] - planes[above - 1] < margin
+            || planes[above] - p[a] < margin
+        {
             return None;
         }
         cell[a] = above - 1;

@@ -21,10 +21,11 @@ impl MeshSource for AnyMesh {
 fn texts() -> Vec<(String, String)> {
     let folder = repository().join("scenes");
     let entries = std::fs::read_dir(folder).expect("the scenes of the repository");
-    let paths = entries.map(|e| e.expect("a folder entry").path()).filter(|p| p.extension().is_some_and(|e| e == "txt"));
-    let mut texts: Vec<_> = paths
-        .map(|p| (p.display().to_string(), std::fs::read_to_string(&p).expect("a text")))
-        .collect();
+    let paths = entries
+        .map(|e| e.expect("a folder entry").path())
+        .filter(|p| p.extension().is_some_and(|e| e == "txt"));
+    let mut texts: Vec<_> =
+        paths.map(|p| (p.display().to_string(), std::fs::read_to_string(&p).expect("a text"))).collect();
     texts.sort();
     texts
 }
@@ -47,7 +48,8 @@ fn p18_every_prefix_of_every_scene() {
         .par_iter()
         .map(|(name, text)| {
             let ends = (0..text.len()).filter(|&end| text.is_char_boundary(end));
-            ends.map(|end| survives(&text[..end]).map_or_else(|e| panic!("{name} cut at {end}: {e}"), |_| 1)).sum::<u64>()
+            ends.map(|end| survives(&text[..end]).map_or_else(|e| panic!("{name} cut at {end}: {e}"), |_| 1))
+                .sum::<u64>()
         })
         .sum();
     tally("p18 prefixes", count, 0.0, started);

@@ -1,17 +1,17 @@
 //! accuracy.md, properties 7 and 8: a ray that leaves a surface does not meet it again, and what
 //! is closed stays closed.
 
-use a2_transforms::LocalLight;
-use a4_whitted::{NoRecord, Rules, Whitted, mirror};
 use a1_ray_casting::Sight;
+use a2_transforms::LocalLight;
 use a3_phong::Phong;
+use a4_whitted::{NoRecord, Rules, Whitted, mirror};
 use common::accel::{Accel, List};
 use common::counters::Counters;
 use common::geometry::{Geometry, Surface};
 use common::math::{DVec3, Interval, Vec3};
 use common::mesh::Mesh;
 use common::ray::Ray;
-use tests::property::{convex_sphere, Draw, build, file_mesh, ray_bits, run, scene_of};
+use tests::property::{Draw, build, convex_sphere, file_mesh, ray_bits, run, scene_of};
 
 /// 2⁻²³.
 const EPS: f64 = 1.0 / (1u64 << 23) as f64;
@@ -76,12 +76,24 @@ fn many(draw: &mut Draw, geometry: &Geometry, size: f64, center: DVec3, reach: f
 
 fn shape_text(kind: usize, draw: &mut Draw, size: f64, c: DVec3) -> String {
     let d = draw.direction();
-    let at = format!("Translate {} {} {} Rotate {{ {} {} {} {} }}", c.x, c.y, c.z, d.x, d.y, d.z, draw.between(0.0, 360.0));
+    let at = format!(
+        "Translate {} {} {} Rotate {{ {} {} {} {} }}",
+        c.x,
+        c.y,
+        c.z,
+        d.x,
+        d.y,
+        d.z,
+        draw.between(0.0, 360.0)
+    );
     match kind {
         0 => format!("Sphere {{ center {} {} {} radius {size} }}", c.x, c.y, c.z),
         1 => {
             let s = [size, size * draw.between(0.1, 1.0), -size * draw.between(0.01, 1.0)];
-            format!("Transform {{ {at} Scale {} {} {} Sphere {{ center 0 0 0 radius 1 }} }}", s[0], s[1], s[2])
+            format!(
+                "Transform {{ {at} Scale {} {} {} Sphere {{ center 0 0 0 radius 1 }} }}",
+                s[0], s[1], s[2]
+            )
         }
         2 => {
             let p: Vec<String> = (0..3)
@@ -98,15 +110,16 @@ fn shape_text(kind: usize, draw: &mut Draw, size: f64, c: DVec3) -> String {
 
 fn leave_convex(name: &str, kind: usize, rays: u64) {
     let cube = if kind == 4 { convex_sphere(2) } else { Mesh::default() };
-    let worst = run(&format!("p07 {name} (256 rays each), offset / 64 eps·S"), 701, rays / RAYS as u64, |draw| {
-        let (size, center) = place(draw);
-        let text = shape_text(kind, draw, size, center);
-        let geometry = build(&text, cube.clone());
-        let reach = center.abs().max_element() + 2.0 * size;
-        // Rays meet a plane at a distance of their own; its points are as large as that.
-        let reach = if kind == 3 { reach * 1e6 } else { reach };
-        many(draw, &geometry, size, center, reach).map_err(|e| format!("{text}\n{e}"))
-    });
+    let worst =
+        run(&format!("p07 {name} (256 rays each), offset / 64 eps·S"), 701, rays / RAYS as u64, |draw| {
+            let (size, center) = place(draw);
+            let text = shape_text(kind, draw, size, center);
+            let geometry = build(&text, cube.clone());
+            let reach = center.abs().max_element() + 2.0 * size;
+            // Rays meet a plane at a distance of their own; its points are as large as that.
+            let reach = if kind == 3 { reach * 1e6 } else { reach };
+            many(draw, &geometry, size, center, reach).map_err(|e| format!("{text}\n{e}"))
+        });
     assert!(worst > 0.0, "no ray hit");
 }
 
@@ -145,7 +158,8 @@ fn p07_close_planes_leak_nothing() {
         let low = draw.between(-1.0, 1.0) * reach;
         let gap = 64.0 * EPS * reach;
         let plane = |offset: f64| format!("Plane {{ normal {} {} {} offset {offset} }}", n.x, n.y, n.z);
-        let geometry = build(&format!("Group {{ numObjects 2 {} {} }}", plane(low), plane(low + gap)), Mesh::default());
+        let geometry =
+            build(&format!("Group {{ numObjects 2 {} {} }}", plane(low), plane(low + gap)), Mesh::default());
         let list = List::new(&geometry);
         let onto = n * low + n.any_orthonormal_vector() * reach * draw.unit() / 2.0;
         let from_below = Ray::new((onto - n * reach).as_vec3(), n.as_vec3());

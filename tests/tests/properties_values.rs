@@ -83,7 +83,9 @@ fn p03_triangles_are_hit_exactly_when_exact_arithmetic_says_so() {
 #[test]
 fn p03_t_u_v_of_triangles() {
     run("p03 t, share of the bound 16 eps·S/cos", 302, 300_000, |draw| triangle_value(draw, |v| v.t));
-    run("p03 u v, share of the bound 16 eps·S/cos", 303, 200_000, |draw| triangle_value(draw, |v| v.weights));
+    run("p03 u v, share of the bound 16 eps·S/cos", 303, 200_000, |draw| {
+        triangle_value(draw, |v| v.weights)
+    });
 }
 
 struct ValueErrors {
@@ -190,9 +192,10 @@ fn p04_sphere_roots() {
         let (n, f) = (f64::from(near as f32), f64::from(far as f32));
         let close = far - near <= slack(near) + slack(far);
         let ordered = near <= far;
-        let bracketed = outside(&ray, &sphere, n - slack(n)) >= 0 && outside(&ray, &sphere, f + slack(f)) >= 0;
-        let between = close
-            || outside(&ray, &sphere, n + slack(n)) <= 0 && outside(&ray, &sphere, f - slack(f)) <= 0;
+        let bracketed =
+            outside(&ray, &sphere, n - slack(n)) >= 0 && outside(&ray, &sphere, f + slack(f)) >= 0;
+        let between =
+            close || outside(&ray, &sphere, n + slack(n)) <= 0 && outside(&ray, &sphere, f - slack(f)) <= 0;
         match ordered && bracketed && between {
             true => Ok(0.0),
             false => Err(format!("{near} {far} of {sphere:?}\n{}", ray_bits(&ray))),

@@ -99,7 +99,8 @@ impl Blocks {
         for block in &self.blocks {
             let lanes = dispatch!(level, s => candidates(s, block, &filter));
             let kept = (0..LANES).filter(|lane| lanes >> lane & 1 == 1);
-            kept.filter_map(|lane| triangle::intersect(&exact, &block.vertices(lane))).for_each(|h| count(h.t));
+            kept.filter_map(|lane| triangle::intersect(&exact, &block.vertices(lane)))
+                .for_each(|h| count(h.t));
         }
         passages
     }
@@ -217,7 +218,9 @@ fn p02_no_leak_under_nested_transforms() {
         Transform { Scale 2 -0.5 1 ZRotate 33 Group { numObjects 1
         Transform { Matrix { 1 0.5 0 0  0 1 0.25 0  0.125 0 1 0  0 0 0 1 } UniformScale 0.01
         TriangleMesh { obj_file it } } } } }";
-    for (name, mesh) in [("lumpy", lumpy_sphere(3, 5)), ("fans", fan(64, 6)), ("diamond", file_mesh("diamond.obj"))] {
+    for (name, mesh) in
+        [("lumpy", lumpy_sphere(3, 5)), ("fans", fan(64, 6)), ("diamond", file_mesh("diamond.obj"))]
+    {
         let geometry = build(around, mesh);
         let inside = inside_points(geometry.triangles(), 32, 12);
         assert!(inside.len() >= 8, "{name}: no point inside");

@@ -43,7 +43,11 @@ impl Dyadic {
         }
         let shift = 110 + divisor.integer.bits() as i64 - self.integer.bits() as i64;
         let (mut above, mut below) = (self.integer.clone(), divisor.integer.clone());
-        if shift >= 0 { above <<= shift } else { below <<= -shift }
+        if shift >= 0 {
+            above <<= shift
+        } else {
+            below <<= -shift
+        }
         let quotient = i128::try_from(above / below).expect("111 bits at most") as f64;
         let exponent = self.exponent - divisor.exponent - shift;
         // In two steps, each within range.

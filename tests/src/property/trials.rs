@@ -44,7 +44,12 @@ fn setting(name: &str, default: u64) -> u64 {
 ///
 /// # Panics
 /// If a trial fails; the message holds seed, number of failures and the first reproducer.
-pub fn run(name: &str, seed: u64, trials: u64, trial: impl Fn(&mut Draw) -> Result<f64, String> + Sync) -> f64 {
+pub fn run(
+    name: &str,
+    seed: u64,
+    trials: u64,
+    trial: impl Fn(&mut Draw) -> Result<f64, String> + Sync,
+) -> f64 {
     let started = Instant::now();
     let trials = trials * setting("PROPERTY_FACTOR", 1);
     let seed = seed + (setting("PROPERTY_SEED", 0) << 32);
@@ -61,7 +66,10 @@ pub fn run(name: &str, seed: u64, trials: u64, trial: impl Fn(&mut Draw) -> Resu
         .reduce(Outcome::default, Outcome::merge);
     tally(name, trials, outcome.worst, started);
     if let Some((number, text)) = outcome.first {
-        panic!("{name}: {} of {trials} fail, seed {seed}, first is trial {number}:\n{text}", outcome.failures);
+        panic!(
+            "{name}: {} of {trials} fail, seed {seed}, first is trial {number}:\n{text}",
+            outcome.failures
+        );
     }
     outcome.worst
 }
