@@ -28,6 +28,21 @@ impl Cells {
         Self { count: count.map(|n| n as usize), planes }
     }
 
+    /// The same with the box's sides moved outward by 2⁻⁴⁰ of their distance from the origin.
+    /// Spheres are hit by rays that pass them by within the rounding of `f64`, and such a ray
+    /// may pass the box by, too.
+    #[must_use]
+    pub fn padded(mut self) -> Self {
+        let sides = self.planes.iter().flat_map(|p| [p[0], p[p.len() - 1]]);
+        let slack = sides.fold(0.0, |reach: f64, p| reach.max(p.abs())) * 2f64.powi(-40);
+        for planes in &mut self.planes {
+            let last = planes.len() - 1;
+            planes[0] -= slack;
+            planes[last] += slack;
+        }
+        self
+    }
+
     /// How many cells there are.
     pub fn len(&self) -> usize {
         self.count.iter().product()

@@ -52,6 +52,8 @@ impl<'g> Grid<'g> {
     /// # Errors
     /// If the cells together would hold too many references.
     pub fn new(geometry: &'g Geometry, cells: Cells, fit: Fit) -> Result<Self, String> {
+        // Triangles are decided exactly and need no margin.
+        let cells = if geometry.solids().is_empty() { cells } else { cells.padded() };
         let (mut triangles, mut solids) = (Vec::new(), Vec::new());
         for (i, vertices) in geometry.triangles().iter().enumerate() {
             triangle_cells(&cells, vertices, fit, |c| triangles.push((cells.index(c) as u32, i as u32)));
@@ -255,8 +257,10 @@ impl Accel for Grid<'_> {
         for (i, vertices) in self.geometry.triangles().iter().enumerate() {
             let number = self.geometry.triangle_numbers()[i];
             triangle_cells(&self.cells, vertices, Fit::Exact, |cell| {
-                let mut held = self.held(self.cells.index(cell)).0.iter();
-                if !held.any(|b| b.index[..b.len as usize].contains(&number)) {
+                // Numbers increase from block to block; a search keeps this from being quadratic.
+                let held = self.held(self.cells.index(cell)).0;
+                let at = held.partition_point(|b| b.index[b.len as usize - 1] < number);
+                if !held.get(at).is_some_and(|b| b.index[..b.len as usize].contains(&number)) {
                     missing = Err(format!("triangle {i} is missing in cell {cell:?}"));
                 }
             });

@@ -43,6 +43,21 @@ fn error_bound(p: DVec3, scale: f64) -> DVec3 {
     p.abs() * (UNIT_ROUNDOFF * 1.0000001) + DVec3::splat(double_precision)
 }
 
+/// Barycentric weights of a point that keeps a distance of 2⁻¹⁹·`scale` from the triangle's
+/// edges (less if the triangle is thinner than a few of those). A ray that leaves the very edge
+/// between two walls of a room would start, by rounding, behind one of them.
+fn off_the_border(weights: [f64; 3], [a, b, c]: &[DVec3; 3], scale: f64) -> [f64; 3] {
+    let edges = [*c - *b, *a - *c, *b - *a];
+    let margin = 32.0 * UNIT_ROUNDOFF * scale / edges[0].cross(edges[1]).length();
+    // The weight at that distance; NaN (no area) is no floor.
+    let floor = edges.map(|edge| (margin * edge.length()).min(0.2));
+    if weights.iter().zip(floor).all(|(w, f)| *w >= f) {
+        return weights;
+    }
+    let raised: [f64; 3] = std::array::from_fn(|i| weights[i].max(floor[i]));
+    raised.map(|w| w / (raised[0] + raised[1] + raised[2]))
+}
+
 impl Geometry {
     /// The surface point of a hit that `ray` made.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
@@ -70,7 +85,8 @@ impl Geometry {
         let [a, b, c] = vertices.map(|v| v.as_dvec3());
         let (u, v) = (f64::from(hit.u), f64::from(hit.v));
         let scale = a.abs().max(b.abs()).max(c.abs()).max_element();
-        (a * (1.0 - u - v) + b * u + c * v, triangle::normal(vertices), scale)
+        let [l0, l1, l2] = off_the_border([1.0 - u - v, u, v], &[a, b, c], scale);
+        (a * l0 + b * l1 + c * l2, triangle::normal(vertices), scale)
     }
 
     fn solid_point(&self, index: usize, near: DVec3) -> (DVec3, DVec3, f64) {
