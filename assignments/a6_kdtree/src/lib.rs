@@ -1,10 +1,12 @@
 //! Assignment 6: trees that find hits in logarithmic time.
 //!
-//! So far the eight-wide bounding volume hierarchy ([`bvh::Bvh`]), behind `-accel`. The kd-trees
-//! that give the assignment its name, and textures, are still to come.
+//! kd-trees by three rules ([`kdtree::KdTree`]), behind `-kdtree`, and what beats them, the
+//! eight-wide bounding volume hierarchy ([`bvh::Bvh`]), behind `-accel`. Textures are still to
+//! come.
 
 mod args;
 pub mod bvh;
+pub mod kdtree;
 
 pub use args::{AccelArgs, Choice, Program};
 

@@ -1,0 +1,18 @@
+//! A6T1: kd-trees. Space is cut in two by planes across the axes, again and again.
+//!
+//! Three rules say where to cut ([`Rule`]); the tree, its traversal and its checks are the same
+//! for all. The third rule, the surface area heuristic, is built in O(n log n) as Wald & Havran
+//! describe ("On building fast kd-Trees for Ray Tracing, and on doing that in O(N log N)",
+//! 2006): events are sorted once and kept sorted, triangles are clipped to the nodes.
+
+mod build;
+mod clip;
+mod event;
+mod reference;
+mod sah;
+mod traverse;
+mod tree;
+mod validate;
+
+pub use build::{MAX_DEPTH, Options, Rule};
+pub use tree::{KdTree, Summary};

@@ -1,0 +1,168 @@
+//! The surface area heuristic: what a node would cost, split here or there or not at all.
+//!
+//! A ray that passes a box passes a convex part of it with a probability equal to the ratio of
+//! their surfaces (Goldsmith & Salmon 1987; MacDonald & Booth 1990). A step from a node to its
+//! children costs [`STEP`], asking a block of up to eight triangles costs 1, asking a solid as
+//! much.
+
+use super::event::{Event, Events, Kind};
+use common::math::Bounds;
+use common::shape::triangle_block::LANES;
+
+/// Price of stepping through a node, in blocks of triangles. Measured on a mesh of 200,000: from
+/// 0.4 to 1.2 rays are equally fast (fewer tests against fewer steps), and the dearer the step
+/// the fewer copies of triangles: 109 bytes a triangle at 0.4, 78 at 1.2.
+pub const STEP: f64 = 1.2;
+
+/// What a split that cuts off empty space costs, as a share of what it would (Wald & Havran).
+const EMPTY_BONUS: f64 = 0.8;
+
+/// Half the surface of a box.
+pub fn half_area(bounds: &Bounds) -> f64 {
+    let s = (bounds.max.as_dvec3() - bounds.min.as_dvec3()).max(common::math::DVec3::ZERO);
+    s.x * s.y + s.y * s.z + s.z * s.x
+}
+
+/// How much one reference counts: lanes of a block. A solid counts as a whole block.
+#[inline]
+pub fn weight(solid: bool) -> u32 {
+    if solid { LANES as u32 } else { 1 }
+}
+
+/// Price of asking everything in a leaf: half-empty blocks cost as much as full ones.
+#[inline]
+pub fn leaf_cost(weight: u32) -> f64 {
+    f64::from(weight.div_ceil(LANES as u32))
+}
+
+/// A plane, and what it costs to have it.
+#[derive(Clone, Copy, Debug)]
+pub struct Split {
+    /// 0, 1, 2: across x, y, z.
+    pub axis: usize,
+    /// Where.
+    pub at: f32,
+    /// Whether boxes that lie in the plane go to the left child; else to the right one.
+    pub planar_left: bool,
+    /// The price of the node if it is split so and both children become leaves.
+    pub cost: f64,
+}
+
+/// Prices the planes of one axis.
+struct Sweep {
+    axis: usize,
+    low: f32,
+    high: f32,
+    /// Surface of the two faces across the axis, halved, and of the others per length.
+    face: f64,
+    around: f64,
+    /// 1 / half the node's surface.
+    inverse_area: f64,
+}
+
+impl Sweep {
+    fn new(bounds: &Bounds, axis: usize) -> Self {
+        let size = bounds.max.as_dvec3() - bounds.min.as_dvec3();
+        let (u, v) = (size[(axis + 1) % 3], size[(axis + 2) % 3]);
+        let (low, high) = (bounds.min[axis], bounds.max[axis]);
+        Self { axis, low, high, face: u * v, around: u + v, inverse_area: half_area(bounds).recip() }
+    }
+
+    /// The cost of a plane with so much on each side.
+    #[inline]
+    fn cost(&self, at: f32, left: u32, right: u32) -> f64 {
+        let side = |length: f64, weight: u32| (self.face + length * self.around) * leaf_cost(weight);
+        let (below, above) = (f64::from(at) - f64::from(self.low), f64::from(self.high) - f64::from(at));
+        let cost = STEP + (side(below, left) + side(above, right)) * self.inverse_area;
+        if left == 0 || right == 0 { cost * EMPTY_BONUS } else { cost }
+    }
+
+    /// The cheaper of putting what lies in the plane to the left or to the right. A plane in a
+    /// face of the box is of use only to peel off what lies in that face.
+    fn split(&self, at: f32, left: u32, planar: u32, right: u32) -> Option<Split> {
+        let split = |planar_left: bool| {
+            let (l, r) = if planar_left { (left + planar, right) } else { (left, right + planar) };
+            Split { axis: self.axis, at, planar_left, cost: self.cost(at, l, r) }
+        };
+        if at <= self.low {
+            return (planar > 0 && right > 0 && self.low < self.high).then(|| split(true));
+        }
+        if at >= self.high {
+            return (planar > 0 && left > 0).then(|| split(false));
+        }
+        if planar == 0 {
+            return Some(split(true));
+        }
+        let (a, b) = (split(true), split(false));
+        Some(if b.cost < a.cost { b } else { a })
+    }
+
+    /// The cheapest plane of sorted events; `total` is the weight of all references.
+    fn cheapest(&self, events: &[Event], total: u32) -> Option<Split> {
+        let mut best: Option<Split> = None;
+        let (mut left, mut right) = (0, total);
+        let mut i = 0;
+        while i < events.len() {
+            let place = events[i].place();
+            let mut sums = [0u32; 3];
+            while i < events.len() && events[i].place() == place {
+                let (kind, weight) = (events[i].kind(), weight(events[i].is_solid()));
+                // Without a jump: which kind comes next cannot be predicted.
+                for (k, sum) in sums.iter_mut().enumerate() {
+                    *sum += weight * u32::from(kind == k as u32);
+                }
+                i += 1;
+            }
+            let [ends, planar, starts] = sums;
+            right -= ends + planar;
+            let split = self.split(Event::position(place), left, planar, right);
+            if split.is_some_and(|s| best.is_none_or(|b| s.cost < b.cost)) {
+                best = split;
+            }
+            left += planar + starts;
+        }
+        best
+    }
+}
+
+const _: () = assert!(Kind::End as u32 == 0 && Kind::Planar as u32 == 1 && Kind::Start as u32 == 2);
+
+/// The cheapest plane of all; `None` if no plane separates anything.
+pub fn cheapest_split(events: &Events, bounds: &Bounds, total: u32) -> Option<Split> {
+    (0..3)
+        .filter_map(|axis| Sweep::new(bounds, axis).cheapest(&events[axis], total))
+        .reduce(|best, split| if split.cost < best.cost { split } else { best })
+        .filter(|split| split.cost.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::event;
+    use super::*;
+    use common::math::Vec3;
+
+    /// Sixteen small boxes at one end of a long one, sixteen at the other.
+    #[test]
+    fn a6t1_empty_space_is_cut_off() {
+        let bounds = Bounds { min: Vec3::ZERO, max: Vec3::new(100.0, 1.0, 1.0) };
+        let mut events = Events::default();
+        for i in 0..32 {
+            let x = if i < 16 { i as f32 / 16.0 } else { 99.0 + (i - 16) as f32 / 16.0 };
+            let min = Vec3::new(x, 0.0, 0.0);
+            event::push(&mut events, &Bounds { min, max: min + Vec3::new(0.0625, 1.0, 1.0) }, false, i);
+        }
+        events.iter_mut().for_each(|e| e.sort_unstable());
+        let split = cheapest_split(&events, &bounds, 32).unwrap();
+        assert_eq!((split.axis, split.at), (0, 1.0));
+        assert!(split.cost < 0.81 * leaf_cost(32));
+    }
+
+    #[test]
+    fn a6t1_what_cannot_be_told_apart_is_not_split() {
+        let bounds = Bounds { min: Vec3::ZERO, max: Vec3::ONE };
+        let mut events = Events::default();
+        (0..9).for_each(|i| event::push(&mut events, &bounds, true, i));
+        events.iter_mut().for_each(|e| e.sort_unstable());
+        assert!(cheapest_split(&events, &bounds, 72).is_none());
+    }
+}

@@ -1,0 +1,275 @@
+//! Rays through the tree: the near side first, the far side only if it can matter.
+//!
+//! Everything is computed in `f64` from `f32` inputs: the distance to a plane is exact but for
+//! three roundings of 2⁻⁵³, however far or oblique the ray, and nothing can overflow. Where a
+//! plane is met within `slack` of either end of the stretch in question, both sides are
+//! visited, so no rounding can lose a leaf that the ray passes.
+
+use super::tree::{KdTree, Node};
+use common::accel::{Accel, Job};
+use common::counters::Counters;
+use common::geometry::{Geometry, Hit};
+use common::math::Interval;
+use common::ray::Ray;
+use common::shape::ExactRay;
+use common::shape::triangle_block::Filter;
+use common::simd::{self, Simd, dispatch};
+
+/// One ray on its way through the tree.
+struct Query {
+    interval: Interval,
+    exact: ExactRay,
+    filter: Filter,
+    /// By axis; the fourth is there for the index of leaves.
+    origin: [f64; 4],
+    inverse: [f64; 4],
+    /// 1 if the ray meets the upper child first.
+    backward: [usize; 4],
+    /// By how much a hit must come before a leaf for it to be certain that no hit in the leaf
+    /// comes first or ties: more than the rounding of t, even at grazing incidence.
+    margin: f64,
+    /// More than the rounding of where the ray meets planes.
+    slack: f64,
+    /// The stretch of the ray inside the box and the interval.
+    enter: f64,
+    exit: f64,
+}
+
+impl Query {
+    /// `None` if the ray surely passes the box by.
+    #[inline]
+    fn new(tree: &KdTree, ray: &Ray, interval: Interval) -> Option<Self> {
+        let exact = ExactRay::new(ray);
+        let reach = f64::from(tree.bounds.reach_from(ray.origin));
+        let [x, y, z] = exact.direction.to_array().map(|d| (d + 0.0).recip());
+        let [ox, oy, oz] = exact.origin.to_array();
+        let mut query = Self {
+            interval,
+            exact,
+            filter: Filter::new(ray, &tree.triangle_bounds),
+            origin: [ox, oy, oz, 0.0],
+            inverse: [x, y, z, 0.0],
+            backward: [x, y, z, 0.0].map(|i| usize::from(i < 0.0)),
+            margin: reach / exact.reach * 2f64.powi(-21),
+            slack: 0.0,
+            enter: f64::NEG_INFINITY,
+            exit: f64::INFINITY,
+        };
+        query.clip(tree);
+        // Written so that a NaN, of which there should be none, is a miss.
+        (query.enter <= query.exit).then_some(query)
+    }
+
+    fn clip(&mut self, tree: &KdTree) {
+        for axis in 0..3 {
+            let sides = [tree.bounds.min[axis], tree.bounds.max[axis]];
+            let [near, far] = [self.backward[axis], 1 - self.backward[axis]]
+                .map(|side| self.meets(f64::from(sides[side]), axis));
+            // A ray in a side of the box gives NaN, which compares false: no limit.
+            if near > self.enter {
+                self.enter = near;
+            }
+            if far < self.exit {
+                self.exit = far;
+            }
+        }
+        self.slack = self.enter.abs().max(self.exit.abs()) * 2f64.powi(-48);
+        let (min, max) = (f64::from(self.interval.min), f64::from(self.interval.max));
+        self.enter = (self.enter - self.slack).max(min - self.margin);
+        self.exit = (self.exit + self.slack).min(max + self.margin);
+    }
+
+    /// Where the ray meets a plane; ±∞ on its way along the plane, NaN inside it.
+    #[inline(always)]
+    fn meets(&self, plane: f64, axis: usize) -> f64 {
+        (plane - self.origin[axis]) * self.inverse[axis]
+    }
+}
+
+/// A node that is still to be visited, and the stretch of the ray inside it.
+#[derive(Clone, Copy)]
+struct Waiting {
+    enter: f64,
+    exit: f64,
+    node: u32,
+}
+
+/// Entries kept beside the ray; more, in very deep trees, go to the heap.
+const STACK: usize = 24;
+
+struct Stack {
+    entries: [Waiting; STACK],
+    len: usize,
+    spill: Vec<Waiting>,
+}
+
+impl Stack {
+    #[inline(always)]
+    fn new(query: &Query) -> Self {
+        let root = Waiting { enter: query.enter, exit: query.exit, node: 0 };
+        Self { entries: [root; STACK], len: 1, spill: Vec::new() }
+    }
+
+    #[inline(always)]
+    fn push(&mut self, entry: Waiting) {
+        if self.len == STACK {
+            self.spill_half();
+        }
+        self.entries[self.len] = entry;
+        self.len += 1;
+    }
+
+    #[cold]
+    fn spill_half(&mut self) {
+        self.spill.extend_from_slice(&self.entries[..STACK / 2]);
+        self.entries.copy_within(STACK / 2.., 0);
+        self.len = STACK / 2;
+    }
+
+    /// The next node that is entered no later than `last`.
+    #[inline(always)]
+    fn pop(&mut self, last: f64) -> Option<Waiting> {
+        while self.len > 0 || self.refill() {
+            self.len -= 1;
+            let entry = self.entries[self.len];
+            if entry.enter <= last {
+                return Some(entry);
+            }
+        }
+        None
+    }
+
+    #[cold]
+    fn refill(&mut self) -> bool {
+        let keep = self.spill.len().saturating_sub(STACK / 2);
+        self.len = self.spill.len() - keep;
+        self.entries[..self.len].copy_from_slice(&self.spill[keep..]);
+        self.spill.truncate(keep);
+        self.len > 0
+    }
+}
+
+impl KdTree<'_> {
+    /// The next leaf that the ray passes no later than `last`.
+    #[inline(always)]
+    fn next_leaf(&self, query: &Query, stack: &mut Stack, last: f64, c: &mut Counters) -> Option<Node> {
+        let Waiting { enter, mut exit, node } = stack.pop(last)?;
+        if last < exit {
+            exit = last;
+        }
+        let mut node = self.nodes[node as usize];
+        while !node.is_leaf() {
+            c.cells += 1;
+            let axis = node.axis();
+            let t = query.meets(f64::from(node.at()), axis);
+            let (before, after) = (t - query.slack, t + query.slack);
+            let first = node.child() + query.backward[axis];
+            let second = node.child() + 1 - query.backward[axis];
+            // NaN, a ray in the plane, compares false: both sides, all the way.
+            node = if before > exit {
+                self.nodes[first]
+            } else if after < enter {
+                self.nodes[second]
+            } else {
+                let from = if before > enter { before } else { enter };
+                stack.push(Waiting { enter: from, exit, node: second as u32 });
+                exit = if after < exit { after } else { exit };
+                self.nodes[first]
+            };
+        }
+        Some(node)
+    }
+
+    #[inline(always)]
+    fn nearest_in<S: Simd>(
+        &self,
+        simd: S,
+        query: &Query,
+        mut best: Option<Hit>,
+        c: &mut Counters,
+    ) -> Option<Hit> {
+        let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
+        let mut stack = Stack::new(query);
+        let last = |best: &Option<Hit>| f64::from(best.map_or(query.interval.max, |b| b.t)) + query.margin;
+        while let Some(leaf) = self.next_leaf(query, &mut stack, last(&best), c) {
+            let (blocks, solids) = self.held(leaf);
+            c.intersections += blocks.iter().map(|b| u64::from(b.len)).sum::<u64>();
+            best = job.nearest(simd, blocks, best, c);
+            for &i in solids {
+                c.intersections += 1;
+                let hit = self.geometry.hit_solid(i as usize, &query.exact, query.interval);
+                best = hit.filter(|h| h.precedes(best.as_ref())).or(best);
+            }
+        }
+        best
+    }
+
+    #[inline(always)]
+    fn any_in<S: Simd>(&self, simd: S, query: &Query, c: &mut Counters) -> bool {
+        let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
+        let mut stack = Stack::new(query);
+        while let Some(leaf) = self.next_leaf(query, &mut stack, f64::INFINITY, c) {
+            let (blocks, solids) = self.held(leaf);
+            if job.any(simd, blocks, c) {
+                return true;
+            }
+            for &i in solids {
+                c.intersections += 1;
+                if self.geometry.hit_solid(i as usize, &query.exact, query.interval).is_some() {
+                    return true;
+                }
+            }
+        }
+        false
+    }
+}
+
+impl Accel for KdTree<'_> {
+    fn nearest(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> Option<Hit> {
+        if !ray.is_usable() {
+            return None;
+        }
+        let mut best: Option<Hit> = None;
+        if !self.geometry.sheets().is_empty() {
+            let exact = ExactRay::new(ray);
+            for i in 0..self.geometry.sheets().len() {
+                counters.intersections += 1;
+                let hit = self.geometry.hit_sheet(i, &exact, interval);
+                best = hit.filter(|h| h.precedes(best.as_ref())).or(best);
+            }
+        }
+        if self.nodes.is_empty() {
+            return best;
+        }
+        let Some(query) = Query::new(self, ray, interval) else { return best };
+        dispatch!(simd::level(), s => self.nearest_in(s, &query, best, counters))
+    }
+
+    fn any(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> bool {
+        if !ray.is_usable() {
+            return false;
+        }
+        if !self.geometry.sheets().is_empty() {
+            let exact = ExactRay::new(ray);
+            for i in 0..self.geometry.sheets().len() {
+                counters.intersections += 1;
+                if self.geometry.hit_sheet(i, &exact, interval).is_some() {
+                    return true;
+                }
+            }
+        }
+        if self.nodes.is_empty() {
+            return false;
+        }
+        let Some(query) = Query::new(self, ray, interval) else { return false };
+        dispatch!(simd::level(), s => self.any_in(s, &query, counters))
+    }
+
+    fn geometry(&self) -> &Geometry {
+        self.geometry
+    }
+
+    fn validate(&self) -> Result<(), String> {
+        self.check()
+    }
+}
