@@ -118,13 +118,10 @@ impl<'g> Grid<'g> {
                 continue;
             }
             let (blocks, solids) = self.held(cell);
+            let solids = solids.iter().copied();
             c.intersections += blocks.iter().map(|b| u64::from(b.len)).sum::<u64>();
             best = job.nearest(simd, blocks, best, c);
-            for &i in solids {
-                c.intersections += 1;
-                let hit = self.geometry.hit_solid(i as usize, &query.exact, query.interval);
-                best = hit.filter(|h| h.precedes(best.as_ref())).or(best);
-            }
+            best = self.geometry.nearest_solid(solids, &query.exact, query.interval, best, c);
             if query.is_over(&step, best.as_ref()) {
                 break;
             }
@@ -146,14 +143,9 @@ impl<'g> Grid<'g> {
                 continue;
             }
             let (blocks, solids) = self.held(cell);
-            if job.any(simd, blocks, c) {
+            let solids = solids.iter().copied();
+            if job.any(simd, blocks, c) || self.geometry.any_solid(solids, &query.exact, query.interval, c) {
                 return true;
-            }
-            for &i in solids {
-                c.intersections += 1;
-                if self.geometry.hit_solid(i as usize, &query.exact, query.interval).is_some() {
-                    return true;
-                }
             }
             if query.is_over(&step, None) {
                 break;
@@ -225,12 +217,7 @@ impl Accel for Grid<'_> {
             return None;
         }
         let query = Query::new(self, ray, interval);
-        let mut best: Option<Hit> = None;
-        for i in 0..self.geometry.sheets().len() {
-            counters.intersections += 1;
-            let hit = self.geometry.hit_sheet(i, &query.exact, interval);
-            best = hit.filter(|h| h.precedes(best.as_ref())).or(best);
-        }
+        let best = self.geometry.nearest_sheet(&query.exact, interval, counters);
         dispatch!(simd::level(), s => self.nearest_in(s, &query, best, counters))
     }
 
@@ -239,11 +226,8 @@ impl Accel for Grid<'_> {
             return false;
         }
         let query = Query::new(self, ray, interval);
-        for i in 0..self.geometry.sheets().len() {
-            counters.intersections += 1;
-            if self.geometry.hit_sheet(i, &query.exact, interval).is_some() {
-                return true;
-            }
+        if self.geometry.any_sheet(&query.exact, interval, counters) {
+            return true;
         }
         dispatch!(simd::level(), s => self.any_in(s, &query, counters))
     }

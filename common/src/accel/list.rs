@@ -26,17 +26,8 @@ impl<'g> List<'g> {
         Self { geometry, blocks, triangle_bounds }
     }
 
-    /// Hits of spheres, planes and discs, in order of their kind.
-    fn others<'a>(&'a self, ray: &'a ExactRay, interval: Interval) -> impl Iterator<Item = Hit> + 'a {
-        let solids =
-            (0..self.geometry.solids().len()).filter_map(move |i| self.geometry.hit_solid(i, ray, interval));
-        let sheets =
-            (0..self.geometry.sheets().len()).filter_map(move |i| self.geometry.hit_sheet(i, ray, interval));
-        solids.chain(sheets)
-    }
-
-    fn count_others(&self) -> u64 {
-        (self.geometry.solids().len() + self.geometry.sheets().len()) as u64
+    fn solids(&self) -> std::ops::Range<u32> {
+        0..self.geometry.solids().len() as u32
     }
 }
 
@@ -46,13 +37,9 @@ impl Accel for List<'_> {
             return None;
         }
         let exact = ExactRay::new(ray);
-        counters.intersections += self.geometry.len() as u64;
-        let mut best = None;
-        for hit in self.others(&exact, interval) {
-            if hit.precedes(best.as_ref()) {
-                best = Some(hit);
-            }
-        }
+        counters.intersections += self.geometry.triangles().len() as u64;
+        let sheet = self.geometry.nearest_sheet(&exact, interval, counters);
+        let mut best = self.geometry.nearest_solid(self.solids(), &exact, interval, sheet, counters);
         if !self.blocks.is_empty() {
             let filter = Filter::new(ray, &self.triangle_bounds);
             let job = Job { filter: &filter, exact: &exact, interval };
@@ -66,8 +53,9 @@ impl Accel for List<'_> {
             return false;
         }
         let exact = ExactRay::new(ray);
-        counters.intersections += self.count_others();
-        if self.others(&exact, interval).next().is_some() {
+        if self.geometry.any_solid(self.solids(), &exact, interval, counters)
+            || self.geometry.any_sheet(&exact, interval, counters)
+        {
             return true;
         }
         if self.blocks.is_empty() {

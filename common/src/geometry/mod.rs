@@ -12,6 +12,7 @@ mod surface;
 pub use build::GeometryError;
 pub use surface::Surface;
 
+use crate::counters::Counters;
 use crate::math::{Bounds, Interval, Vec3};
 use crate::shape::ellipsoid::Ellipsoid;
 use crate::shape::plane::{self, Plane};
@@ -157,6 +158,54 @@ impl Geometry {
         let sheet = &self.sheets[index];
         let t = plane::intersect(ray, &sheet.plane)? as f32;
         interval.contains(t).then_some(Hit { t, primitive: sheet.primitive, u: 0.0, v: 0.0 })
+    }
+
+    /// The first hit of all planes and discs. Structures ask it before they ask their cells or
+    /// nodes, since the answer can end the search early.
+    pub fn nearest_sheet(&self, ray: &ExactRay, interval: Interval, counters: &mut Counters) -> Option<Hit> {
+        counters.intersections += self.sheets.len() as u64;
+        let hits = (0..self.sheets.len()).filter_map(|i| self.hit_sheet(i, ray, interval));
+        hits.reduce(|best, hit| if hit.precedes(Some(&best)) { hit } else { best })
+    }
+
+    /// Whether any plane or disc is hit.
+    pub fn any_sheet(&self, ray: &ExactRay, interval: Interval, counters: &mut Counters) -> bool {
+        (0..self.sheets.len()).any(|i| {
+            counters.intersections += 1;
+            self.hit_sheet(i, ray, interval).is_some()
+        })
+    }
+
+    /// The better of `best` and the first hit of some of [`Geometry::solids`].
+    #[inline]
+    pub fn nearest_solid(
+        &self,
+        indices: impl IntoIterator<Item = u32>,
+        ray: &ExactRay,
+        interval: Interval,
+        best: Option<Hit>,
+        counters: &mut Counters,
+    ) -> Option<Hit> {
+        indices.into_iter().fold(best, |best, i| {
+            counters.intersections += 1;
+            let hit = self.hit_solid(i as usize, ray, interval);
+            hit.filter(|h| h.precedes(best.as_ref())).or(best)
+        })
+    }
+
+    /// Whether any of some of [`Geometry::solids`] is hit.
+    #[inline]
+    pub fn any_solid(
+        &self,
+        indices: impl IntoIterator<Item = u32>,
+        ray: &ExactRay,
+        interval: Interval,
+        counters: &mut Counters,
+    ) -> bool {
+        indices.into_iter().any(|i| {
+            counters.intersections += 1;
+            self.hit_solid(i as usize, ray, interval).is_some()
+        })
     }
 
     /// Where a primitive is kept: its run and its position in the array of its kind.

@@ -82,11 +82,8 @@ impl Bvh<'_> {
                     best = job.nearest(simd, blocks, best, c);
                 }
                 Held::Solids(first, count) => {
-                    for &i in &self.solids[first..first + count] {
-                        c.intersections += 1;
-                        let hit = self.geometry.hit_solid(i as usize, &query.exact, query.interval);
-                        best = hit.filter(|h| h.precedes(best.as_ref())).or(best);
-                    }
+                    let solids = self.solids[first..first + count].iter().copied();
+                    best = self.geometry.nearest_solid(solids, &query.exact, query.interval, best, c);
                 }
             }
         }
@@ -112,11 +109,9 @@ impl Bvh<'_> {
                     }
                 }
                 Held::Solids(first, count) => {
-                    for &i in &self.solids[first..first + count] {
-                        c.intersections += 1;
-                        if self.geometry.hit_solid(i as usize, &query.exact, query.interval).is_some() {
-                            return true;
-                        }
+                    let solids = self.solids[first..first + count].iter().copied();
+                    if self.geometry.any_solid(solids, &query.exact, query.interval, c) {
+                        return true;
                     }
                 }
             }
@@ -226,12 +221,7 @@ impl Accel for Bvh<'_> {
             return None;
         }
         let query = self.query(ray, interval);
-        let mut best: Option<Hit> = None;
-        for i in 0..self.geometry.sheets().len() {
-            counters.intersections += 1;
-            let hit = self.geometry.hit_sheet(i, &query.exact, interval);
-            best = hit.filter(|h| h.precedes(best.as_ref())).or(best);
-        }
+        let best = self.geometry.nearest_sheet(&query.exact, interval, counters);
         if self.nodes.is_empty() {
             return best;
         }
@@ -243,11 +233,8 @@ impl Accel for Bvh<'_> {
             return false;
         }
         let query = self.query(ray, interval);
-        for i in 0..self.geometry.sheets().len() {
-            counters.intersections += 1;
-            if self.geometry.hit_sheet(i, &query.exact, interval).is_some() {
-                return true;
-            }
+        if self.geometry.any_sheet(&query.exact, interval, counters) {
+            return true;
         }
         !self.nodes.is_empty() && dispatch!(simd::level(), s => self.any_in(s, &query, counters))
     }
