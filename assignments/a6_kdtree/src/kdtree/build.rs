@@ -124,11 +124,10 @@ impl<'g> Builder<'g> {
 
     fn subtree(&self, cell: Cell) -> Tree {
         let Some(split) = self.choose(&cell) else { return leaf(cell.references) };
-        let children = match self.divide(cell, &split) {
+        let [left, right] = match self.divide(cell, &split) {
             Ok(children) => children,
             Err(references) => return leaf(references),
         };
-        let [left, right] = children;
         let parallel = left.references.len().min(right.references.len()) >= WORTH_A_THREAD;
         let (left, right) = if parallel {
             rayon::join(|| self.subtree(left), || self.subtree(right))
