@@ -68,3 +68,18 @@ impl Stack {
         self.len > 0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a6t1_more_than_fits_comes_back_in_order() {
+        let mut stack = Stack::new(0.0, 1000.0);
+        let node = |node: u32| Waiting { enter: f64::from(1000 - node), exit: 1000.0, node };
+        (1..100).for_each(|n| stack.push(node(n)));
+        let order: Vec<u32> = std::iter::from_fn(|| stack.pop(950.0).map(|w| w.node)).collect();
+        let expected: Vec<u32> = (50..100).rev().chain([0]).collect();
+        assert_eq!(order, expected, "the last first, without those that are entered too late");
+    }
+}
