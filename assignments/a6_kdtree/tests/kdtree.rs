@@ -97,23 +97,23 @@ fn lattice(n: usize) -> Geometry {
 /// Every combination of special directions, from corners, edges, faces and between.
 #[test]
 fn a6t1_special_rays_in_an_axis_aligned_lattice() {
-    let geometry = lattice(4);
+    let geometry = lattice(3);
     let list = List::new(&geometry);
     let trees = Rule::ALL.map(|rule| build(&geometry, rule));
     let parts = [0.0, -0.0, 1.0, -1.0, 1e-45, -1e-45, 1e30, -1e30];
-    let places = [0.0, 2.0, 2.5, 4.0, -1.0];
+    let places = [0.0, 1.0, 1.5, 3.0, -1.0];
     let mut hits = 0;
     for tree in &trees {
         tree.validate().unwrap();
         for d in 0..512 {
             let direction = Vec3::new(parts[d % 8], parts[d / 8 % 8], parts[d / 64]);
-            for o in (0..125).step_by(4) {
+            for o in (0..125).step_by(6) {
                 let origin = Vec3::new(places[o % 5], places[o / 5 % 5], places[o / 25]);
                 hits += agree_on(tree, &list, &Ray::new(origin, direction));
             }
         }
     }
-    assert!(hits > 20_000, "{hits}");
+    assert!(hits > 10_000, "{hits}");
     assert!(agree(&geometry, 1000) > 0);
 }
 
@@ -147,7 +147,7 @@ fn a6t1_far_and_tiny_scenes() {
 
 #[test]
 fn a6t1_the_tree_does_not_depend_on_threads() {
-    let geometry = lumpy_ball(58);
+    let geometry = lumpy_ball(36);
     for rule in Rule::ALL {
         let with = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -163,17 +163,27 @@ fn a6t1_the_heuristic_is_cheaper_than_the_middle() {
     for geometry in [lumpy_ball(40), scene("scene5_09_bunny_mesh_40k.txt")] {
         let trees = Rule::ALL.map(|rule| build(&geometry, rule));
         let [median, objects, sah] = trees.each_ref().map(|tree| tree.summary().cost);
-        assert!(sah < 0.8 * median && sah < 0.8 * objects, "{sah} {median} {objects}");
-        let work = trees.each_ref().map(|tree| {
-            let mut c = Counters::default();
-            rays(&geometry, 2000).iter().for_each(|ray| {
-                tree.nearest(ray, Interval::FORWARD, &mut c);
+        assert!(sah < 0.85 * median && sah < 0.7 * objects, "{sah} {median} {objects}");
+        for rays in [rays(&geometry, 2000), view(&geometry)] {
+            let tests = trees.each_ref().map(|tree| {
+                let mut c = Counters::default();
+                rays.iter().for_each(|ray| {
+                    tree.nearest(ray, Interval::FORWARD, &mut c);
+                });
+                c.intersections
             });
-            c
-        });
-        let tests = work.map(|c| c.intersections);
-        assert!(tests[2] < tests[0] && tests[2] < tests[1], "{tests:?}");
+            assert!(tests[2] < tests[0] && tests[2] < tests[1], "{tests:?}");
+        }
     }
+}
+
+/// Rays from one point outside through a lattice of points in the middle of the box.
+fn view(geometry: &Geometry) -> Vec<Ray> {
+    let bounds = geometry.bounds().unwrap();
+    let eye = bounds.max + bounds.size() * Vec3::new(0.1, 0.2, 1.0);
+    let target =
+        |i: usize, j: usize| bounds.min + bounds.size() * Vec3::new(i as f32 / 50.0, j as f32 / 50.0, 0.5);
+    (0..50).flat_map(|i| (0..50).map(move |j| Ray::new(eye, target(i, j) - eye))).collect()
 }
 
 #[test]

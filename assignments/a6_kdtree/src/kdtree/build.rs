@@ -43,8 +43,8 @@ pub struct Options {
     /// Most planes between root and leaf, at most [`MAX_DEPTH`]. Else the median rules end at
     /// 8 + 1.3 log₂ n and the heuristic where it pays no more.
     pub max_depth: Option<u32>,
-    /// Nodes with no more primitives than this are not cut. Else a block's worth for the median
-    /// rules, and the heuristic decides for itself.
+    /// Nodes with no more primitives than this are not cut. Else two blocks' worth for the
+    /// median rules (about what the heuristic arrives at), and the heuristic decides for itself.
     pub leaf: Option<u32>,
 }
 
@@ -87,7 +87,7 @@ impl<'g> Builder<'g> {
     pub fn new(geometry: &'g Geometry, options: &Options, n: usize) -> Self {
         let heuristic = options.rule == Rule::Sah;
         let usual_depth = if heuristic { MAX_DEPTH } else { 8 + (1.3 * (n as f64).log2()) as u32 };
-        let usual_leaf = if heuristic { 0 } else { LANES as u32 };
+        let usual_leaf = if heuristic { 0 } else { 2 * LANES as u32 };
         Self {
             geometry,
             rule: options.rule,
@@ -124,11 +124,10 @@ impl<'g> Builder<'g> {
 
     fn subtree(&self, cell: Cell) -> Tree {
         let Some(split) = self.choose(&cell) else { return leaf(cell.references) };
-        let children = match self.divide(cell, &split) {
+        let [left, right] = match self.divide(cell, &split) {
             Ok(children) => children,
             Err(references) => return leaf(references),
         };
-        let [left, right] = children;
         let parallel = left.references.len().min(right.references.len()) >= WORTH_A_THREAD;
         let (left, right) = if parallel {
             rayon::join(|| self.subtree(left), || self.subtree(right))

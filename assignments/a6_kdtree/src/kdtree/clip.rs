@@ -59,8 +59,9 @@ impl Polygon {
 
     /// The part in a half space (Sutherland & Hodgman 1974), perhaps nothing. Uncut if rounding
     /// made it so crooked that its corners would not fit: more than the part is always safe.
+    #[inline]
     fn cut(&self, half: HalfSpace) -> Self {
-        let mut part = Self { corners: self.corners, len: 0 };
+        let mut part = Self { corners: [[0.0; 3]; CORNERS], len: 0 };
         let Some(mut a) = self.corners().last() else { return part };
         let mut height_a = half.height(a);
         for b in self.corners() {

@@ -10,6 +10,7 @@ mod clip;
 mod event;
 mod reference;
 mod sah;
+mod stack;
 mod traverse;
 mod tree;
 mod validate;

@@ -5,6 +5,7 @@
 //! plane is met within `slack` of either end of the stretch in question, both sides are
 //! visited, so no rounding can lose a leaf that the ray passes.
 
+use super::stack::{Stack, Waiting};
 use super::tree::{KdTree, Node};
 use common::accel::{Accel, Job};
 use common::counters::Counters;
@@ -86,69 +87,6 @@ impl Query {
     }
 }
 
-/// A node that is still to be visited, and the stretch of the ray inside it.
-#[derive(Clone, Copy)]
-struct Waiting {
-    enter: f64,
-    exit: f64,
-    node: u32,
-}
-
-/// Entries kept beside the ray; more, in very deep trees, go to the heap.
-const STACK: usize = 24;
-
-struct Stack {
-    entries: [Waiting; STACK],
-    len: usize,
-    spill: Vec<Waiting>,
-}
-
-impl Stack {
-    #[inline(always)]
-    fn new(query: &Query) -> Self {
-        let root = Waiting { enter: query.enter, exit: query.exit, node: 0 };
-        Self { entries: [root; STACK], len: 1, spill: Vec::new() }
-    }
-
-    #[inline(always)]
-    fn push(&mut self, entry: Waiting) {
-        if self.len == STACK {
-            self.spill_half();
-        }
-        self.entries[self.len] = entry;
-        self.len += 1;
-    }
-
-    #[cold]
-    fn spill_half(&mut self) {
-        self.spill.extend_from_slice(&self.entries[..STACK / 2]);
-        self.entries.copy_within(STACK / 2.., 0);
-        self.len = STACK / 2;
-    }
-
-    /// The next node that is entered no later than `last`.
-    #[inline(always)]
-    fn pop(&mut self, last: f64) -> Option<Waiting> {
-        while self.len > 0 || self.refill() {
-            self.len -= 1;
-            let entry = self.entries[self.len];
-            if entry.enter <= last {
-                return Some(entry);
-            }
-        }
-        None
-    }
-
-    #[cold]
-    fn refill(&mut self) -> bool {
-        let keep = self.spill.len().saturating_sub(STACK / 2);
-        self.len = self.spill.len() - keep;
-        self.entries[..self.len].copy_from_slice(&self.spill[keep..]);
-        self.spill.truncate(keep);
-        self.len > 0
-    }
-}
-
 impl KdTree<'_> {
     /// The next leaf that the ray passes no later than `last`.
     #[inline(always)]
@@ -189,7 +127,7 @@ impl KdTree<'_> {
         c: &mut Counters,
     ) -> Option<Hit> {
         let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
-        let mut stack = Stack::new(query);
+        let mut stack = Stack::new(query.enter, query.exit);
         let last = |best: &Option<Hit>| f64::from(best.map_or(query.interval.max, |b| b.t)) + query.margin;
         while let Some(leaf) = self.next_leaf(query, &mut stack, last(&best), c) {
             let (blocks, solids) = self.held(leaf);
@@ -207,7 +145,7 @@ impl KdTree<'_> {
     #[inline(always)]
     fn any_in<S: Simd>(&self, simd: S, query: &Query, c: &mut Counters) -> bool {
         let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
-        let mut stack = Stack::new(query);
+        let mut stack = Stack::new(query.enter, query.exit);
         while let Some(leaf) = self.next_leaf(query, &mut stack, f64::INFINITY, c) {
             let (blocks, solids) = self.held(leaf);
             if job.any(simd, blocks, c) {
