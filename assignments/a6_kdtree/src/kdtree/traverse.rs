@@ -133,11 +133,8 @@ impl KdTree<'_> {
             let (blocks, solids) = self.held(leaf);
             c.intersections += blocks.iter().map(|b| u64::from(b.len)).sum::<u64>();
             best = job.nearest(simd, blocks, best, c);
-            for &i in solids {
-                c.intersections += 1;
-                let hit = self.geometry.hit_solid(i as usize, &query.exact, query.interval);
-                best = hit.filter(|h| h.precedes(best.as_ref())).or(best);
-            }
+            let solids = solids.iter().copied();
+            best = self.geometry.nearest_solid(solids, &query.exact, query.interval, best, c);
         }
         best
     }
@@ -148,14 +145,9 @@ impl KdTree<'_> {
         let mut stack = Stack::new(query.enter, query.exit);
         while let Some(leaf) = self.next_leaf(query, &mut stack, f64::INFINITY, c) {
             let (blocks, solids) = self.held(leaf);
-            if job.any(simd, blocks, c) {
+            let solids = solids.iter().copied();
+            if job.any(simd, blocks, c) || self.geometry.any_solid(solids, &query.exact, query.interval, c) {
                 return true;
-            }
-            for &i in solids {
-                c.intersections += 1;
-                if self.geometry.hit_solid(i as usize, &query.exact, query.interval).is_some() {
-                    return true;
-                }
             }
         }
         false
@@ -167,15 +159,8 @@ impl Accel for KdTree<'_> {
         if !ray.is_usable() {
             return None;
         }
-        let mut best: Option<Hit> = None;
-        if !self.geometry.sheets().is_empty() {
-            let exact = ExactRay::new(ray);
-            for i in 0..self.geometry.sheets().len() {
-                counters.intersections += 1;
-                let hit = self.geometry.hit_sheet(i, &exact, interval);
-                best = hit.filter(|h| h.precedes(best.as_ref())).or(best);
-            }
-        }
+        let exact = ExactRay::new(ray);
+        let best = self.geometry.nearest_sheet(&exact, interval, counters);
         if self.nodes.is_empty() {
             return best;
         }
@@ -187,14 +172,8 @@ impl Accel for KdTree<'_> {
         if !ray.is_usable() {
             return false;
         }
-        if !self.geometry.sheets().is_empty() {
-            let exact = ExactRay::new(ray);
-            for i in 0..self.geometry.sheets().len() {
-                counters.intersections += 1;
-                if self.geometry.hit_sheet(i, &exact, interval).is_some() {
-                    return true;
-                }
-            }
+        if self.geometry.any_sheet(&ExactRay::new(ray), interval, counters) {
+            return true;
         }
         if self.nodes.is_empty() {
             return false;
