@@ -6,6 +6,7 @@
 //! one shape, one text), so the first failure is a reproducer already; it is printed in bits.
 //! `PROPERTY_FACTOR=30` runs thirty times as many trials, `PROPERTY_SEED=7` runs others.
 
+mod agreement;
 mod dyadic;
 mod march_oracle;
 mod meshes;
@@ -17,6 +18,7 @@ mod triangle_oracle;
 mod winding;
 mod worlds;
 
+pub use agreement::{agree, grid_of};
 pub use dyadic::Dyadic;
 pub use march_oracle::cells_crossed;
 pub use meshes::{closed_meshes, convex_sphere, fan, file_mesh, lattice_sphere, lumpy_sphere};

@@ -1,0 +1,52 @@
+//! Do all structures answer with the same bits?
+
+use super::ray_bits;
+use a5_grid::{Cells, Fit, Grid};
+use common::accel::{Accel, List};
+use common::counters::Counters;
+use common::geometry::{Geometry, Hit};
+use common::math::{Bounds, Interval, Vec3};
+use common::ray::Ray;
+
+/// A grid around the finite objects, or around the origin if there are none.
+///
+/// # Panics
+/// If it would be too large.
+pub fn grid_of(geometry: &Geometry, count: [u32; 3], fit: Fit) -> Grid<'_> {
+    let bounds = geometry.bounds().unwrap_or(Bounds::of_points([Vec3::ZERO]));
+    Grid::new(geometry, Cells::new(count, &bounds), fit).expect("a grid of moderate size")
+}
+
+/// A hit to the last bit.
+type Bits = (u32, u32, u32, u32);
+
+/// A hit as bits: −0 and +0 differ.
+fn bits(hit: &Hit) -> Bits {
+    (hit.primitive, hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits())
+}
+
+/// List and grids agree on the nearest hit to the bit, and on whether there is any; 1 if so.
+///
+/// # Errors
+/// Who found what, and the ray.
+pub fn agree(list: &List, grids: &[Grid], ray: &Ray, interval: Interval) -> Result<f64, String> {
+    let mut counters = Counters::default();
+    let truth = list.nearest(ray, interval, &mut counters);
+    let fault = |what: &str, got: String| {
+        Err(format!("{what}: {got}, list: {truth:?} in {interval:?}\n{}", ray_bits(ray)))
+    };
+    if list.any(ray, interval, &mut counters) != truth.is_some() {
+        return fault("any of the list", "the opposite".to_owned());
+    }
+    for grid in grids {
+        let name = format!("grid {:?}", grid.cells().count);
+        let hit = grid.nearest(ray, interval, &mut counters);
+        if hit.as_ref().map(bits) != truth.as_ref().map(bits) {
+            return fault(&name, format!("{hit:?}"));
+        }
+        if grid.any(ray, interval, &mut counters) != truth.is_some() {
+            return fault(&name, "any is the opposite".to_owned());
+        }
+    }
+    Ok(f64::from(u8::from(truth.is_some())))
+}
