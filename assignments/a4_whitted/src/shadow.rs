@@ -26,7 +26,8 @@ pub struct ShadowRays<'a, 'b, R: Recorder> {
 fn shadow_ray(surface: &Surface, light: &Incident) -> (Ray, Interval) {
     match light.source {
         Source::Direction(towards) => {
-            (Ray::new(surface.leave(towards), towards.as_vec3()), Interval::FORWARD)
+            let direction = towards.as_vec3();
+            (Ray::new(surface.leave(direction.as_dvec3()), direction), Interval::FORWARD)
         }
         Source::Point(position) => {
             let origin = surface.leave(position - surface.point);

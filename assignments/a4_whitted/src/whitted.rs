@@ -156,8 +156,10 @@ impl Whitted<'_> {
             counters.skipped_below_weight += 1;
             return;
         }
+        // The side is chosen for the direction that the ray really has, after rounding.
+        let direction = direction.as_vec3();
         waiting.push(Branch {
-            ray: Ray::new(surface.leave(direction), direction.as_vec3()),
+            ray: Ray::new(surface.leave(direction.as_dvec3()), direction),
             kind,
             depth: at.depth + 1,
             weight,
