@@ -61,7 +61,7 @@ fn p01_rays_from_inside_all_hit_through_the_list() {
         let place = placed(&mesh, 1.0, DVec3::ZERO, (40_000 / mesh.triangles.len()).clamp(4, 64));
         let geometry = geometry_of(&place.triangles);
         let list = List::new(&geometry);
-        let trials = (100_000_000 / mesh.triangles.len() as u64).clamp(1000, 100_000);
+        let trials = (50_000_000 / mesh.triangles.len() as u64).clamp(1000, 100_000);
         run(&format!("p01 list, {name}"), 102, trials, |draw| {
             must_hit(&list, &from_inside(draw, &place.triangles, &place.inside))
         });
