@@ -190,8 +190,7 @@ struct Query<'r> {
     interval: Interval,
     exact: ExactRay,
     filter: Filter,
-    /// By how much of t a hit must lie before a cell's end for it to be certain that no hit of
-    /// a later cell comes first: more than the rounding of t, even at grazing incidence.
+    /// See [`ExactRay::margin`].
     margin: f64,
 }
 
@@ -199,8 +198,8 @@ impl<'r> Query<'r> {
     fn new(grid: &Grid, ray: &'r Ray, interval: Interval) -> Self {
         let exact = ExactRay::new(ray);
         let filter = Filter::new(ray, &grid.triangle_bounds);
-        let reach = grid.geometry.bounds().map_or(0.0, |b| f64::from(b.reach_from(ray.origin)));
-        Self { ray, interval, exact, filter, margin: reach / exact.reach * 2f64.powi(-21) }
+        let margin = grid.geometry.bounds().map_or(0.0, |b| exact.margin(&b));
+        Self { ray, interval, exact, filter, margin }
     }
 
     /// Whether nothing in later cells can matter.

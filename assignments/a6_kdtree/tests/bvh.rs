@@ -4,7 +4,7 @@
 mod world;
 
 use a6_kdtree::bvh::Bvh;
-use common::accel::Accel;
+use common::accel::{Accel, List};
 use common::counters::Counters;
 use common::geometry::Geometry;
 use common::math::{Interval, Vec3};
@@ -69,4 +69,12 @@ fn a6t2_the_tree_does_not_depend_on_threads() {
     };
     let one = build(1);
     assert!([2, 3, 7].into_iter().all(|n| build(n) == one));
+}
+
+#[test]
+fn a6t2_ties_and_neighbours_in_different_leaves() {
+    let (geometry, rays) = world::ties();
+    let (bvh, list) = (Bvh::new(&geometry), List::new(&geometry));
+    let hits: usize = rays.iter().map(|ray| world::agree_on(&bvh, &list, ray)).sum();
+    assert!(hits > 10_000, "{hits}");
 }

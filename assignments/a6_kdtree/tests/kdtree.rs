@@ -199,3 +199,14 @@ fn a6t1_memory_leaf_size_and_summary() {
     coarse.validate().unwrap();
     assert!(coarse.summary().leaves < s.leaves / 2);
 }
+
+#[test]
+fn a6t1_ties_and_neighbours_in_different_leaves() {
+    let (geometry, rays) = world::ties();
+    let list = List::new(&geometry);
+    for rule in Rule::ALL {
+        let tree = build(&geometry, rule);
+        let hits: usize = rays.iter().map(|ray| agree_on(&tree, &list, ray)).sum();
+        assert!(hits > 10_000, "{hits}");
+    }
+}

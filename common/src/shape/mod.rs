@@ -17,7 +17,7 @@ pub mod sphere;
 pub mod triangle;
 pub mod triangle_block;
 
-use crate::math::{DVec3, dot3};
+use crate::math::{Bounds, DVec3, dot3};
 use crate::ray::Ray;
 
 /// A ray widened to `f64` once, with what every exact test wants to know of it.
@@ -44,5 +44,14 @@ impl ExactRay {
             length_squared: dot3(direction, direction),
             reach: direction.abs().max_element(),
         }
+    }
+
+    /// By how much of t two hits of things inside `bounds` must differ for their order to be
+    /// certain, beside the rounding of t itself: 2⁻²¹ of the farthest reach. A structure may leave
+    /// out what begins that much after the best hit; what comes closer can still win or tie.
+    #[inline]
+    pub fn margin(&self, bounds: &Bounds) -> f64 {
+        let origin = self.origin.as_vec3();
+        f64::from(bounds.reach_from(origin)) / self.reach * 2f64.powi(-21)
     }
 }

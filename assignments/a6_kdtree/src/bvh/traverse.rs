@@ -10,9 +10,9 @@ use common::shape::ExactRay;
 use common::shape::triangle_block::Filter;
 use common::simd::{self, Simd, SimdBase, SimdMask, dispatch, f32x8};
 
-/// Widens t at a box's far side by more than the rounding of a difference, an inverse and a
-/// product of it, three units of 2⁻²⁴, on both sides of the comparison.
-const WIDEN: f32 = 1.0 + 8.0 / (1 << 23) as f32;
+/// More than the rounding of a difference, an inverse and a product, three units of 2⁻²⁴ each,
+/// at both sides of a comparison; relative to t.
+const ROUNDING: f32 = 1.0 / (1 << 20) as f32;
 
 /// A ray prepared for boxes.
 struct Slabs {
@@ -28,8 +28,8 @@ impl Slabs {
         Self { origin: ray.origin.to_array(), inverse, near: inverse.map(|i| usize::from(i < 0.0)) }
     }
 
-    /// A bit for every child whose box the ray may meet inside the interval, and where it
-    /// enters them. Written without closures, see [`common::simd`].
+    /// A bit for every child whose box the ray may meet inside the interval, whose upper end is
+    /// already a [`Query::limit`], and where it enters them. Written without closures, see [`common::simd`].
     #[inline(always)]
     fn meet<S: Simd>(&self, simd: S, node: &WideNode, interval: Interval, enter: &mut [f32; WIDTH]) -> u32 {
         let [nx, ny, nz] = self.near;
@@ -47,8 +47,10 @@ impl Slabs {
         let far_z = (f32x8::from_slice(simd, &node.side[2][1 - nz]) - oz) * iz;
         let near = near_x.max(near_y).max(near_z).max(f32x8::splat(simd, interval.min));
         let far = far_x.min(far_y).min(far_z);
-        // Widened away from zero on the side that matters; t of either sign.
-        let far = far.max(far * f32x8::splat(simd, WIDEN)).min(f32x8::splat(simd, interval.max));
+        // Later by the rounding, for t of either sign; unlike a sum this keeps the −∞ of unused
+        // places, which must stay missed.
+        let later = (far * f32x8::splat(simd, 1.0 + ROUNDING)).max(far * f32x8::splat(simd, 1.0 - ROUNDING));
+        let far = later.min(f32x8::splat(simd, interval.max));
         near.store_slice(enter);
         near.simd_le(far).to_bitmask() as u32
     }
@@ -66,13 +68,12 @@ impl Bvh<'_> {
         let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
         let mut stack = Stack::new(query.interval.min);
         let mut enter = [0.0; WIDTH];
-        while let Some(child) = stack.pop(best.map_or(query.interval.max, |b| b.t)) {
+        while let Some(child) = stack.pop(query.limit(best.as_ref())) {
             match child.held() {
                 Held::Node(index) => {
                     c.cells += 1;
                     let node = &self.nodes[index];
-                    let max = best.map_or(query.interval.max, |b| b.t);
-                    let interval = Interval { max, ..query.interval };
+                    let interval = Interval { max: query.limit(best.as_ref()), ..query.interval };
                     let lanes = query.slabs.meet(simd, node, interval, &mut enter);
                     stack.push_sorted(node, lanes, &enter);
                 }
@@ -95,12 +96,13 @@ impl Bvh<'_> {
         let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
         let mut stack = Stack::new(query.interval.min);
         let mut enter = [0.0; WIDTH];
-        while let Some(child) = stack.pop(query.interval.max) {
+        let interval = Interval { max: query.limit(None), ..query.interval };
+        while let Some(child) = stack.pop(interval.max) {
             match child.held() {
                 Held::Node(index) => {
                     c.cells += 1;
                     let node = &self.nodes[index];
-                    let lanes = query.slabs.meet(simd, node, query.interval, &mut enter);
+                    let lanes = query.slabs.meet(simd, node, interval, &mut enter);
                     stack.push_all(node, lanes, &enter);
                 }
                 Held::Blocks(first, count) => {
@@ -213,6 +215,18 @@ struct Query {
     exact: ExactRay,
     filter: Filter,
     slabs: Slabs,
+    /// See [`ExactRay::margin`].
+    margin: f32,
+}
+
+impl Query {
+    /// A box that is entered later than this holds nothing that could come before `best`, or
+    /// tie with it, or lie in the interval.
+    #[inline]
+    fn limit(&self, best: Option<&Hit>) -> f32 {
+        let t = best.map_or(self.interval.max, |hit| hit.t);
+        t + t.abs() * ROUNDING + self.margin
+    }
 }
 
 impl Accel for Bvh<'_> {
@@ -250,11 +264,9 @@ impl Accel for Bvh<'_> {
 
 impl Bvh<'_> {
     fn query(&self, ray: &Ray, interval: Interval) -> Query {
-        Query {
-            interval,
-            exact: ExactRay::new(ray),
-            filter: Filter::new(ray, &self.triangle_bounds),
-            slabs: Slabs::new(ray),
-        }
+        let exact = ExactRay::new(ray);
+        let margin = self.geometry.bounds().map_or(0.0, |b| exact.margin(&b)) as f32;
+        let filter = Filter::new(ray, &self.triangle_bounds);
+        Query { interval, exact, filter, slabs: Slabs::new(ray), margin }
     }
 }

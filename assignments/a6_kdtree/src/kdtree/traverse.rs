@@ -26,8 +26,7 @@ struct Query {
     inverse: [f64; 4],
     /// 1 if the ray meets the upper child first.
     backward: [usize; 4],
-    /// By how much a hit must come before a leaf for it to be certain that no hit in the leaf
-    /// comes first or ties: more than the rounding of t, even at grazing incidence.
+    /// See [`ExactRay::margin`].
     margin: f64,
     /// More than the rounding of where the ray meets planes.
     slack: f64,
@@ -41,7 +40,6 @@ impl Query {
     #[inline]
     fn new(tree: &KdTree, ray: &Ray, interval: Interval) -> Option<Self> {
         let exact = ExactRay::new(ray);
-        let reach = f64::from(tree.bounds.reach_from(ray.origin));
         let [x, y, z] = exact.direction.to_array().map(|d| (d + 0.0).recip());
         let [ox, oy, oz] = exact.origin.to_array();
         let mut query = Self {
@@ -51,7 +49,7 @@ impl Query {
             origin: [ox, oy, oz, 0.0],
             inverse: [x, y, z, 0.0],
             backward: [x, y, z, 0.0].map(|i| usize::from(i < 0.0)),
-            margin: reach / exact.reach * 2f64.powi(-21),
+            margin: exact.margin(&tree.bounds),
             slack: 0.0,
             enter: f64::NEG_INFINITY,
             exit: f64::INFINITY,

@@ -124,3 +124,29 @@ pub fn agree(tree: &dyn Accel, n: usize) -> usize {
     let list = List::new(tree.geometry());
     rays(tree.geometry(), n).iter().map(|ray| agree_on(tree, &list, ray)).sum()
 }
+
+/// Squares in one plane that lie upon each other in different arrangements, two triangles each,
+/// and rays from far away: every ray has several hits of equal or neighbouring t, which stand in
+/// different leaves.
+pub fn ties() -> (Geometry, Vec<Ray>) {
+    let mut random = Pcg64Mcg::seed_from_u64(7);
+    let mut objects = String::new();
+    for i in 0..300 {
+        let size = 0.05 + unit(&mut random) * 0.8;
+        let (x, y) = (unit(&mut random) * 2.0 - 1.0, unit(&mut random) * 2.0 - 1.0);
+        let z = 1.0 + (i % 3) as f32 * f32::EPSILON;
+        let corner = |dx: f32, dy: f32| format!("{:?} {:?} {z:?}", x + dx * size, y + dy * size);
+        let [a, b, c, d] = [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
+        objects += &format!("Triangle {{ vertex0 {a} vertex1 {b} vertex2 {c} }} ");
+        objects += &format!("Triangle {{ vertex0 {a} vertex1 {c} vertex2 {d} }} ");
+    }
+    let rays = (0..20_000).map(|i| {
+        let mut point =
+            |reach: f32| Vec3::from_array(std::array::from_fn(|_| (unit(&mut random) - 0.5) * reach));
+        let origin = point(2000.0);
+        let target = point(2.0) * Vec3::new(1.0, 1.0, 0.0) + Vec3::Z;
+        // Every other ray looks away: it meets the squares at t = -1.
+        Ray::new(origin, if i % 2 == 0 { target - origin } else { origin - target })
+    });
+    (geometry(&objects, 600), rays.collect())
+}
