@@ -65,9 +65,16 @@ impl CastArgs {
         wanted.then(|| Picture { path: self.output.clone(), layer: Box::new(layer) })
     }
 
-    /// Whether neither a picture nor the statistics are asked for.
-    pub fn is_idle(&self) -> bool {
-        self.outputs().is_empty() && !self.general.program.stats
+    /// An error if there is nothing to do. Later steps give all their files, and the names of the
+    /// flags that would have named one.
+    ///
+    /// # Errors
+    /// If neither a picture nor the statistics are asked for.
+    pub fn refuse_idleness(&self, outputs: &[&Path], flags: &str) -> Result<(), AppError> {
+        if outputs.is_empty() && !self.general.program.stats {
+            return Err(AppError::Usage(format!("nothing to do: give {flags} or -stats")));
+        }
+        Ok(())
     }
 
     /// The depth layer and its range.

@@ -22,9 +22,7 @@ use common::cli::AppError;
 /// # Errors
 /// Bad usage, an unreadable scene, an unwritable picture.
 pub fn run(args: &CastArgs) -> Result<(), AppError> {
-    if args.is_idle() {
-        return Err(AppError::Usage("nothing to do: give -output, -depth or -stats".to_owned()));
-    }
+    args.refuse_idleness(&args.outputs(), "-output, -depth")?;
     let (studio, mut report) = Studio::open(args, &args.outputs())?;
     let list = report.time("build", || List::new(&studio.geometry));
     let color = FlatColor::new(&studio.scene);

@@ -60,10 +60,6 @@ impl DiffuseArgs {
     /// # Errors
     /// If neither a picture nor the statistics are asked for.
     pub fn refuse_idleness(&self) -> Result<(), AppError> {
-        if self.outputs().is_empty() && !self.cast.general.program.stats {
-            let what = "nothing to do: give -output, -depth, -normals or -stats";
-            return Err(AppError::Usage(what.to_owned()));
-        }
-        Ok(())
+        self.cast.refuse_idleness(&self.outputs(), "-output, -depth, -normals")
     }
 }
