@@ -84,7 +84,7 @@ impl<'g> Grid<'g> {
 
     /// References to primitives in all cells together.
     pub fn references(&self) -> usize {
-        self.blocks.iter().map(|b| b.len as usize).sum::<usize>() + self.solids.len()
+        self.blocks.iter().map(|b| b.len()).sum::<usize>() + self.solids.len()
     }
 
     #[inline]
@@ -107,7 +107,7 @@ impl<'g> Grid<'g> {
         c: &mut Counters,
     ) -> Option<Hit> {
         let Some(march) = March::new(&self.cells, query.ray, query.interval) else { return best };
-        let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
+        let job = Job { filter: &query.filter, ray: query.ray, interval: query.interval };
         for step in march {
             c.cells += 1;
             let cell = self.cells.index(step.cell);
@@ -119,7 +119,6 @@ impl<'g> Grid<'g> {
             }
             let (blocks, solids) = self.held(cell);
             let solids = solids.iter().copied();
-            c.intersections += blocks.iter().map(|b| u64::from(b.len)).sum::<u64>();
             best = job.nearest(simd, blocks, best, c);
             best = self.geometry.nearest_solid(solids, &query.exact, query.interval, best, c);
             if query.is_over(&step, best.as_ref()) {
@@ -132,7 +131,7 @@ impl<'g> Grid<'g> {
     #[inline(always)]
     fn any_in<S: Simd>(&self, simd: S, query: &Query, c: &mut Counters) -> bool {
         let Some(march) = March::new(&self.cells, query.ray, query.interval) else { return false };
-        let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
+        let job = Job { filter: &query.filter, ray: query.ray, interval: query.interval };
         for step in march {
             c.cells += 1;
             let cell = self.cells.index(step.cell);
@@ -242,8 +241,8 @@ impl Accel for Grid<'_> {
             triangle_cells(&self.cells, vertices, Fit::Exact, |cell| {
                 // Numbers increase from block to block; a search keeps this from being quadratic.
                 let held = self.held(self.cells.index(cell)).0;
-                let at = held.partition_point(|b| b.index[b.len as usize - 1] < number);
-                if !held.get(at).is_some_and(|b| b.index[..b.len as usize].contains(&number)) {
+                let at = held.partition_point(|b| b.index[b.len() - 1] < number);
+                if !held.get(at).is_some_and(|b| b.index[..b.len()].contains(&number)) {
                     missing = Err(format!("triangle {i} is missing in cell {cell:?}"));
                 }
             });

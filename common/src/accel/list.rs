@@ -37,12 +37,11 @@ impl Accel for List<'_> {
             return None;
         }
         let exact = ExactRay::new(ray);
-        counters.intersections += self.geometry.triangles().len() as u64;
         let sheet = self.geometry.nearest_sheet(&exact, interval, counters);
         let mut best = self.geometry.nearest_solid(self.solids(), &exact, interval, sheet, counters);
         if !self.blocks.is_empty() {
             let filter = Filter::new(ray, &self.triangle_bounds);
-            let job = Job { filter: &filter, exact: &exact, interval };
+            let job = Job { filter: &filter, ray, interval };
             best = dispatch!(simd::level(), s => job.nearest(s, &self.blocks, best, counters));
         }
         best
@@ -62,7 +61,7 @@ impl Accel for List<'_> {
             return false;
         }
         let filter = Filter::new(ray, &self.triangle_bounds);
-        let job = Job { filter: &filter, exact: &exact, interval };
+        let job = Job { filter: &filter, ray, interval };
         dispatch!(simd::level(), s => job.any(s, &self.blocks, counters))
     }
 
@@ -71,11 +70,11 @@ impl Accel for List<'_> {
     }
 
     fn validate(&self) -> Result<(), String> {
-        let packed: Vec<u32> = self.blocks.iter().flat_map(|b| b.index[..b.len as usize].to_vec()).collect();
+        let packed: Vec<u32> = self.blocks.iter().flat_map(|b| b.index[..b.len()].to_vec()).collect();
         if packed != self.geometry.triangle_numbers() {
             return Err("the blocks do not hold every triangle once, in order".to_owned());
         }
-        let lanes = self.blocks.iter().flat_map(|b| (0..b.len as usize).map(|l| b.vertices(l)));
+        let lanes = self.blocks.iter().flat_map(|b| (0..b.len()).map(|l| b.vertices(l)));
         match lanes.zip(self.geometry.triangles()).position(|(a, b)| a != *b) {
             Some(i) => Err(format!("triangle {i} was changed in packing")),
             None => Ok(()),
@@ -88,8 +87,8 @@ impl Accel for List<'_> {
 pub struct Job<'a> {
     /// The ray, prepared for the filter.
     pub filter: &'a Filter,
-    /// The ray, prepared for the exact test.
-    pub exact: &'a ExactRay,
+    /// The ray itself, for the exact test.
+    pub ray: &'a Ray,
     /// Where hits count.
     pub interval: Interval,
 }
@@ -105,38 +104,86 @@ impl Job<'_> {
         counters: &mut Counters,
     ) -> Option<Hit> {
         for block in blocks {
-            // Up to and including the best t: an equal t with a lower number still wins.
-            let max = best.map_or(self.interval.max, |b: Hit| b.t);
-            let mut lanes = block.candidates(simd, self.filter, Interval { max, ..self.interval });
-            counters.exact_tests += u64::from(lanes.count_ones());
-            while lanes != 0 {
-                let lane = lanes.trailing_zeros() as usize;
-                lanes &= lanes - 1;
-                let hit = hit_triangle(&block.vertices(lane), block.index[lane], self.exact, self.interval);
-                if let Some(hit) = hit.filter(|h| h.precedes(best.as_ref())) {
-                    best = Some(hit);
-                }
-            }
+            best = self.nearest_of(simd, block, block.len(), best, counters);
         }
         best
+    }
+
+    /// The better of `best` and the nearest hit among the first `len` triangles of a block.
+    #[inline(always)]
+    pub fn nearest_of<S: Simd>(
+        &self,
+        simd: S,
+        block: &TriangleBlock,
+        len: usize,
+        best: Option<Hit>,
+        counters: &mut Counters,
+    ) -> Option<Hit> {
+        counters.intersections += len as u64;
+        // Up to and including the best t: an equal t with a lower number still wins.
+        let max = best.map_or(self.interval.max, |b: Hit| b.t);
+        let possible = block.judge(simd, self.filter, Interval { max, ..self.interval }).possible & used(len);
+        if possible == 0 {
+            return best;
+        }
+        decide(self.ray, self.interval, block, possible, best, counters)
     }
 
     /// Whether any triangle of the blocks is hit.
     #[inline(always)]
     pub fn any<S: Simd>(&self, simd: S, blocks: &[TriangleBlock], counters: &mut Counters) -> bool {
         for block in blocks {
-            counters.intersections += u64::from(block.len);
-            let mut lanes = block.candidates(simd, self.filter, self.interval);
-            counters.exact_tests += u64::from(lanes.count_ones());
-            while lanes != 0 {
-                let lane = lanes.trailing_zeros() as usize;
-                lanes &= lanes - 1;
-                if hit_triangle(&block.vertices(lane), block.index[lane], self.exact, self.interval).is_some()
-                {
-                    return true;
-                }
+            if self.any_of(simd, block, block.len(), counters) {
+                return true;
             }
         }
         false
     }
+
+    /// Whether any of the first `len` triangles of a block is hit; what the filter is certain of
+    /// needs no exact test.
+    #[inline(always)]
+    pub fn any_of<S: Simd>(
+        &self,
+        simd: S,
+        block: &TriangleBlock,
+        len: usize,
+        counters: &mut Counters,
+    ) -> bool {
+        counters.intersections += len as u64;
+        let verdict = block.judge(simd, self.filter, self.interval);
+        let possible = verdict.possible & used(len);
+        possible != 0
+            && (verdict.certain != 0
+                || decide(self.ray, self.interval, block, possible, None, counters).is_some())
+    }
+}
+
+/// The exact test for the lanes that the filter left.
+#[inline(never)]
+fn decide(
+    ray: &Ray,
+    interval: Interval,
+    block: &TriangleBlock,
+    mut lanes: u32,
+    mut best: Option<Hit>,
+    counters: &mut Counters,
+) -> Option<Hit> {
+    counters.exact_tests += u64::from(lanes.count_ones());
+    let exact = ExactRay::new(ray);
+    while lanes != 0 {
+        let lane = lanes.trailing_zeros() as usize;
+        lanes &= lanes - 1;
+        let hit = hit_triangle(&block.vertices(lane), block.index[lane], &exact, interval);
+        if let Some(hit) = hit.filter(|h| h.precedes(best.as_ref())) {
+            best = Some(hit);
+        }
+    }
+    best
+}
+
+/// The bits of the first `len` lanes.
+#[inline(always)]
+fn used(len: usize) -> u32 {
+    (1 << len) - 1
 }

@@ -1,33 +1,52 @@
 //! Eight triangles against one ray, in `f32`, to discard what is surely missed.
 //!
-//! The filter shears space so that the ray runs along an axis (Woop et al. 2013) and evaluates
-//! the edge functions in single precision beside a bound of their error. A lane is discarded
-//! only if the line certainly passes outside, or the triangle certainly lies outside the
-//! interval; every other lane is decided by [`super::triangle::intersect`]. So the filter may
-//! use any instructions: it cannot change a picture.
+//! The filter evaluates Cramer's rule for origin + t·d = a + u·e₁ + v·e₂ (Möller & Trumbore 1997)
+//! in single precision beside bounds of its errors. A lane is discarded only if the line
+//! certainly passes outside, or t certainly lies outside the interval; every other lane is
+//! decided by [`super::triangle::intersect`]. So the filter may use any instructions, fused ones
+//! too: it cannot change a picture.
 //!
-//! Error bound, with u = 2⁻²⁴, M ≥ |vertex − origin|∞ and K = largest sheared coordinate: a
-//! sheared coordinate x − s·z carries at most 6uM (two differences, a quotient, a product, a
-//! difference), taken as E = 8uM; an edge function at most 4EK + 2E² + 4uK² from coordinates
-//! and its own rounding, taken as K(4E + 8uK) + 2E² and one smallest normal for underflow.
+//! Error bounds, with u = 2⁻²⁴, M ≥ |vertex − origin|∞, D = |d|∞, E = largest |e₁|∞, |e₂|∞ of the
+//! lane, which is at most 2M. Differences carry u of their size, products and sums their own
+//! roundings; counting all of them in the worst case:
+//!
+//! | quantity | size at most | error at most | taken |
+//! |---|---|---|---|
+//! | c×d·e (two weights) | 6·M·D·E | 42u·M·D·E | 64u·M·D·E |
+//! | n·d, n = e₁×e₂ | 6·D·E² | 42u·D·E² | 64u·D·E² |
+//! | third weight, n·d less the others | 24·M·D·E | 216u·M·D·E | 256u·M·D·E |
+//! | n·c − t·(n·d), for \|t\|·D ≤ 1.01·M | 13·M·E² | 120u·M·E² | 256u·M·E² |
+//!
+//! and to each the floor 2⁻¹²⁰·max(1, M, D)² for underflow, which loses 2⁻¹⁴⁹ at a time (a floor
+//! below 2⁻¹²⁶ would cost a hundred cycles for being subnormal).
+//! Overflow and NaN compare false, and so keep the lane.
 
-use crate::math::{Bounds, Interval, Vec3};
+use crate::math::{Bounds, Interval, Vec3, Vec3A};
 use crate::ray::Ray;
-use crate::simd::{Simd, SimdBase, SimdMask, f32x8};
+use crate::simd::{Simd, SimdBase, SimdFloat, SimdMask, Select, f32x8};
 
 /// How many triangles a block holds.
 pub const LANES: usize = 8;
 
 const UNIT: f32 = 1.0 / (1 << 24) as f32;
 
-/// Eight triangles, coordinates side by side: `corner[vertex][axis][lane]`.
+/// Eight triangles, coordinates side by side: `corner[vertex][axis][lane]`; five cache lines.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 pub struct TriangleBlock {
     corner: [[[f32; LANES]; 3]; 3],
-    /// Index of each lane's triangle in the caller's array; lanes past `len` repeat the last.
+    /// Index of each lane's triangle in the caller's array, no two the same; lanes that are not
+    /// in use repeat the last.
     pub index: [u32; LANES],
-    /// How many lanes are in use, 1 to 8.
-    pub len: u32,
+}
+
+/// What the filter says about the lanes of a block, a bit for each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Verdict {
+    /// Lanes that it cannot discard.
+    pub possible: u32,
+    /// Those of them that are hit inside the interval beyond doubt.
+    pub certain: u32,
 }
 
 impl TriangleBlock {
@@ -36,14 +55,15 @@ impl TriangleBlock {
     /// # Panics
     /// If `triangles` yields nothing.
     pub fn pack(triangles: impl IntoIterator<Item = (u32, [Vec3; 3])>) -> Self {
-        let mut block = Self { corner: [[[0.0; LANES]; 3]; 3], index: [0; LANES], len: 0 };
+        let mut block = Self { corner: [[[0.0; LANES]; 3]; 3], index: [0; LANES] };
+        let mut len = 0;
         for (lane, (index, vertices)) in triangles.into_iter().take(LANES).enumerate() {
             block.set(lane, index, &vertices);
-            block.len = lane as u32 + 1;
+            len = lane + 1;
         }
-        assert!(block.len > 0, "a block needs a triangle");
-        for lane in block.len as usize..LANES {
-            block.copy_lane(block.len as usize - 1, lane);
+        assert!(len > 0, "a block needs a triangle");
+        for lane in len..LANES {
+            block.copy_lane(len - 1, lane);
         }
         block
     }
@@ -66,103 +86,147 @@ impl TriangleBlock {
         self.index[to] = self.index[from];
     }
 
+    /// How many lanes are in use, 1 to 8.
+    #[inline(always)]
+    #[expect(clippy::len_without_is_empty, reason = "a block is never empty")]
+    pub fn len(&self) -> usize {
+        let mut len = 1;
+        for lane in 1..LANES {
+            len += usize::from(self.index[lane] != self.index[lane - 1]);
+        }
+        len
+    }
+
     /// The corners of one lane.
     #[inline]
     pub fn vertices(&self, lane: usize) -> [Vec3; 3] {
-        self.corner.map(|c| Vec3::new(c[0][lane], c[1][lane], c[2][lane]))
+        let at = |v: usize| Vec3::new(self.corner[v][0][lane], self.corner[v][1][lane], self.corner[v][2][lane]);
+        [at(0), at(1), at(2)]
     }
 
-    /// A bit for every used lane that the filter cannot discard for `interval`.
+    /// What the filter says about every lane, whether in use or not, for `interval`.
     ///
     /// Written without closures: one that is not inlined would lose the instructions that
     /// `simd` stands for.
     #[inline(always)]
-    pub fn candidates<S: Simd>(&self, simd: S, filter: &Filter, interval: Interval) -> u32 {
-        let oz = f32x8::splat(simd, filter.origin[2]);
-        let za = self.load(simd, 0, filter.axes[2]) - oz;
-        let zb = self.load(simd, 1, filter.axes[2]) - oz;
-        let zc = self.load(simd, 2, filter.axes[2]) - oz;
-        let [ax, bx, cx] = self.sheared(simd, filter, 0, [za, zb, zc]);
-        let [ay, by, cy] = self.sheared(simd, filter, 1, [za, zb, zc]);
+    pub fn judge<S: Simd>(&self, simd: S, filter: &Filter, interval: Interval) -> Verdict {
+        let a = self.corner(simd, 0);
+        let e1 = minus(self.corner(simd, 1), a);
+        let e2 = minus(self.corner(simd, 2), a);
+        let c = minus(a, splat(simd, filter.origin));
+        let d = splat(simd, filter.direction);
+        let r = cross(c, d);
+        let (v1, v2) = (dot(r, e2), -dot(r, e1));
+        let n = cross(e1, e2);
+        let (along, height) = (dot(n, d), dot(n, c));
+        let v0 = along - v1 - v2;
 
-        let (u, v, w) = (cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax);
-        let reach_x = ax.abs().max(bx.abs()).max(cx.abs());
-        let reach = reach_x.max(ay.abs()).max(by.abs()).max(cy.abs());
-        let coordinate = f32x8::splat(simd, 4.0 * filter.coordinate_error);
-        let floor = f32x8::splat(simd, filter.error_floor);
-        let error = reach * (coordinate + reach * f32x8::splat(simd, 8.0 * UNIT)) + floor;
-        // Discard on mixed certain signs; NaN and infinity compare false and are kept.
-        let outside = u.min(v).min(w).simd_lt(-error) & u.max(v).max(w).simd_gt(error);
+        let edge = size(e1).max(size(e2));
+        let floor = f32x8::splat(simd, filter.floor);
+        let weight_error = edge.mul_add(f32x8::splat(simd, filter.weight_error), floor);
+        let rest_error = edge.mul_add(f32x8::splat(simd, filter.weight_error * 4.0), floor);
+        // All weights of one sign: inside; certainly mixed signs: outside.
+        let low = v1.min(v2);
+        let high = v1.max(v2);
+        let some_below = low.simd_lt(-weight_error) | v0.simd_lt(-rest_error);
+        let some_above = high.simd_gt(weight_error) | v0.simd_gt(rest_error);
+        let outside = some_below & some_above;
 
-        let (near, far) = filter.depth_range(interval);
-        let (nearest, farthest) = (za.min(zb).min(zc), za.max(zb).max(zc));
-        let beyond = nearest.simd_gt(f32x8::splat(simd, far)) | farthest.simd_lt(f32x8::splat(simd, near));
-        !(outside | beyond).to_bitmask() as u32 & ((1 << self.len) - 1)
+        let area = edge * edge;
+        let along_error = area.mul_add(f32x8::splat(simd, filter.along_error), floor);
+        let depth_error = area.mul_add(f32x8::splat(simd, filter.depth_error), floor);
+        let size = along.abs();
+        let height = along.simd_lt(f32x8::splat(simd, 0.0)).select(-height, height);
+        let (min, max) = filter.clamp(interval);
+        let after_start = height - size * f32x8::splat(simd, min);
+        let before_end = size * f32x8::splat(simd, max) - height;
+        let sure = size.simd_gt(along_error);
+        let off = after_start.simd_lt(-depth_error) | before_end.simd_lt(-depth_error);
+        let possible = !(outside | (sure & off));
+
+        let inside = (low.simd_gt(weight_error) & v0.simd_gt(rest_error))
+            | (high.simd_lt(-weight_error) & v0.simd_lt(-rest_error));
+        let between = after_start.simd_gt(depth_error) & before_end.simd_gt(depth_error);
+        let certain = inside & sure & between;
+        Verdict { possible: possible.to_bitmask() as u32, certain: certain.to_bitmask() as u32 }
     }
 
     #[inline(always)]
-    fn load<S: Simd>(&self, simd: S, vertex: usize, axis: usize) -> f32x8<S> {
-        f32x8::from_slice(simd, &self.corner[vertex][axis])
-    }
-
-    /// The three corners' coordinates along one of the two axes across the ray.
-    #[inline(always)]
-    fn sheared<S: Simd>(&self, simd: S, filter: &Filter, across: usize, z: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
-        let axis = filter.axes[across];
-        let origin = f32x8::splat(simd, filter.origin[across]);
-        let shear = f32x8::splat(simd, filter.shear[across]);
+    fn corner<S: Simd>(&self, simd: S, vertex: usize) -> [f32x8<S>; 3] {
         [
-            self.load(simd, 0, axis) - origin - shear * z[0],
-            self.load(simd, 1, axis) - origin - shear * z[1],
-            self.load(simd, 2, axis) - origin - shear * z[2],
+            f32x8::from_slice(simd, &self.corner[vertex][0]),
+            f32x8::from_slice(simd, &self.corner[vertex][1]),
+            f32x8::from_slice(simd, &self.corner[vertex][2]),
         ]
     }
 }
 
-/// A ray prepared for [`TriangleBlock::candidates`].
+#[inline(always)]
+fn splat<S: Simd>(simd: S, v: [f32; 3]) -> [f32x8<S>; 3] {
+    [f32x8::splat(simd, v[0]), f32x8::splat(simd, v[1]), f32x8::splat(simd, v[2])]
+}
+
+#[inline(always)]
+fn minus<S: Simd>(a: [f32x8<S>; 3], b: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+fn cross<S: Simd>(a: [f32x8<S>; 3], b: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
+    [
+        a[1].mul_sub(b[2], a[2] * b[1]),
+        a[2].mul_sub(b[0], a[0] * b[2]),
+        a[0].mul_sub(b[1], a[1] * b[0]),
+    ]
+}
+
+#[inline(always)]
+fn dot<S: Simd>(a: [f32x8<S>; 3], b: [f32x8<S>; 3]) -> f32x8<S> {
+    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
+}
+
+/// Largest magnitude of a component.
+#[inline(always)]
+fn size<S: Simd>(a: [f32x8<S>; 3]) -> f32x8<S> {
+    a[0].abs().max(a[1].abs()).max(a[2].abs())
+}
+
+/// A ray prepared for [`TriangleBlock::judge`].
 #[derive(Clone, Copy, Debug)]
 pub struct Filter {
-    axes: [usize; 3],
     origin: [f32; 3],
-    shear: [f32; 2],
-    along: f32,
-    coordinate_error: f32,
-    error_floor: f32,
+    direction: [f32; 3],
+    /// Where the ray has left the bounds for certain, in units of t; never NaN.
+    pub reach: f32,
+    weight_error: f32,
+    along_error: f32,
+    depth_error: f32,
+    floor: f32,
 }
 
 impl Filter {
     /// Prepares a usable ray for triangles that lie within `bounds`.
-    #[inline]
+    #[inline(always)]
     pub fn new(ray: &Ray, bounds: &Bounds) -> Self {
-        let d = ray.direction;
-        let size = d.abs();
-        let z = if size.x > size.y && size.x > size.z {
-            0
-        } else if size.y > size.z {
-            1
-        } else {
-            2
-        };
-        let axes = [(z + 1) % 3, (z + 2) % 3, z];
-        let error = 8.0 * UNIT * bounds.reach_from(ray.origin);
+        let (origin, direction) = (Vec3A::from(ray.origin), Vec3A::from(ray.direction));
+        let sides = (Vec3A::from(bounds.min) - origin).abs().max((Vec3A::from(bounds.max) - origin).abs());
+        let far = sides.max_element() * (1.0 + 4.0 * UNIT);
+        let step = direction.abs().max_element();
+        let largest = far.max(step).max(1.0);
         Self {
-            axes,
-            origin: axes.map(|k| ray.origin[k]),
-            shear: [d[axes[0]] / d[z], d[axes[1]] / d[z]],
-            along: d[z],
-            coordinate_error: error,
-            error_floor: 2.0 * error * error + f32::MIN_POSITIVE,
+            origin: ray.origin.to_array(),
+            direction: ray.direction.to_array(),
+            reach: far / step * 1.001,
+            weight_error: 64.0 * UNIT * far * step,
+            along_error: 64.0 * UNIT * step,
+            depth_error: 256.0 * UNIT * far,
+            floor: largest * largest * 2f32.powi(-120),
         }
     }
 
-    /// The interval as a range of differences along the main axis, widened by more than the
-    /// error of the differences and of t.
-    #[inline]
-    fn depth_range(&self, interval: Interval) -> (f32, f32) {
-        let (a, b) = (interval.min * self.along, interval.max * self.along);
-        let (low, high) = if a < b { (a, b) } else { (b, a) };
-        let pad = |x: f32| self.coordinate_error + x.abs() * (8.0 * UNIT) + f32::MIN_POSITIVE;
-        let widen = |x: f32, by: f32| if x.is_finite() { x + by } else { x };
-        (widen(low, -pad(low)), widen(high, pad(high)))
+    /// The part of the interval in which the triangles are.
+    #[inline(always)]
+    fn clamp(&self, interval: Interval) -> (f32, f32) {
+        (interval.min.max(-self.reach), interval.max.min(self.reach))
     }
 }

@@ -6,7 +6,9 @@
 //! blocks of eight triangles, as the list has them.
 
 mod binary;
+mod slabs;
 mod split;
+mod stack;
 mod traverse;
 mod validate;
 mod wide;

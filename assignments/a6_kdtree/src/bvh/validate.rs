@@ -22,7 +22,7 @@ impl Bvh<'_> {
                 }
                 match self.nodes[index].child[lane].held() {
                     Held::Node(below) => waiting.push((below, inner)),
-                    Held::Blocks(first, count) => self.check_blocks(first, count, &inner, &mut triangles)?,
+                    Held::Block(index, len) => self.check_block(index, len, &inner, &mut triangles)?,
                     Held::Solids(first, count) => self.check_solids(first, count, &inner, &mut solids)?,
                 }
             }
@@ -36,23 +36,19 @@ impl Bvh<'_> {
         }
     }
 
-    fn check_blocks(
-        &self,
-        first: usize,
-        count: usize,
-        outer: &Bounds,
-        seen: &mut [u32],
-    ) -> Result<(), String> {
-        for block in &self.blocks[first..first + count] {
-            for lane in 0..block.len as usize {
-                let number = block.index[lane];
-                let place = self.geometry.triangle_numbers().partition_point(|n| *n < number);
-                let vertices = self.geometry.triangles()[place];
-                if block.vertices(lane) != vertices || !contains(outer, &Bounds::of_points(vertices)) {
-                    return Err(format!("triangle {number} is not what, or not where, it should be"));
-                }
-                seen[place] += 1;
+    fn check_block(&self, index: usize, len: usize, outer: &Bounds, seen: &mut [u32]) -> Result<(), String> {
+        let block = &self.blocks[index];
+        if block.len() != len {
+            return Err(format!("block {index} holds {} triangles, not {len}", block.len()));
+        }
+        for lane in 0..len {
+            let number = block.index[lane];
+            let place = self.geometry.triangle_numbers().partition_point(|n| *n < number);
+            let vertices = self.geometry.triangles()[place];
+            if block.vertices(lane) != vertices || !contains(outer, &Bounds::of_points(vertices)) {
+                return Err(format!("triangle {number} is not what, or not where, it should be"));
             }
+            seen[place] += 1;
         }
         Ok(())
     }

@@ -11,7 +11,7 @@ pub const WIDTH: usize = 8;
 
 /// Eight boxes side by side, and what they hold.
 #[derive(Clone, Copy, Debug)]
-#[repr(align(32))]
+#[repr(align(64))]
 pub struct WideNode {
     /// Sides of the boxes, rounded outward: `side[axis][0 low, 1 high][child]`. Unused places
     /// hold the empty box, which no ray meets.
@@ -20,7 +20,7 @@ pub struct WideNode {
     pub child: [Child; WIDTH],
 }
 
-/// What a box holds: a node, a run of blocks, or a run of solids, packed into 32 bits.
+/// What a box holds: a node, a block, or a run of solids, packed into 32 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Child(u32);
 
@@ -29,40 +29,39 @@ pub struct Child(u32);
 pub enum Held {
     /// Index of a node.
     Node(usize),
-    /// First block and their number, at least 1.
-    Blocks(usize, usize),
-    /// First solid and their number, at least 1.
+    /// Index of a block and how many of its triangles are in use.
+    Block(usize, usize),
+    /// First solid and their number.
     Solids(usize, usize),
 }
 
-/// Bits of a leaf's number of blocks or solids, less one.
+/// Bits of a leaf's number of triangles or solids.
 const COUNT_BITS: u32 = 4;
-/// Most blocks or solids that one leaf can name.
-const MOST: usize = 1 << COUNT_BITS;
-const BLOCKS: u32 = 1 << 30;
+const BLOCK: u32 = 1 << 30;
 const SOLIDS: u32 = 2 << 30;
 const INDEX: u32 = (1 << 30) - 1;
 
 impl Child {
     /// The first node.
     pub const ROOT: Self = Self(0);
-    const NOTHING: Self = Self(0);
+    /// No solids.
+    pub const NOTHING: Self = Self(SOLIDS);
 
     fn node(index: usize) -> Self {
         Self(index as u32 & INDEX)
     }
 
     fn run(tag: u32, first: usize, count: usize) -> Self {
-        Self(tag | (first as u32) << COUNT_BITS & INDEX | (count as u32 - 1))
+        Self(tag | (first as u32) << COUNT_BITS & INDEX | (count as u32))
     }
 
     /// What it holds.
-    #[inline]
+    #[inline(always)]
     pub fn held(self) -> Held {
         let index = self.0 & INDEX;
-        let (first, count) = ((index >> COUNT_BITS) as usize, (index as usize & (MOST - 1)) + 1);
+        let (first, count) = ((index >> COUNT_BITS) as usize, index as usize & ((1 << COUNT_BITS) - 1));
         match self.0 & !INDEX {
-            BLOCKS => Held::Blocks(first, count),
+            BLOCK => Held::Block(first, count),
             SOLIDS => Held::Solids(first, count),
             _ => Held::Node(index as usize),
         }
@@ -75,7 +74,8 @@ pub struct Bvh<'g> {
     pub(super) nodes: Vec<WideNode>,
     pub(super) blocks: Vec<TriangleBlock>,
     pub(super) solids: Vec<u32>,
-    pub(super) triangle_bounds: Bounds,
+    /// Around everything in it.
+    pub(super) bounds: Bounds,
     pub(super) depth: usize,
 }
 
@@ -85,19 +85,19 @@ impl<'g> Bvh<'g> {
         let triangle_boxes: Vec<Bounds> =
             geometry.triangles().iter().map(|t| Bounds::of_points(*t)).collect();
         let solid_boxes: Vec<Bounds> = geometry.solids().iter().map(|s| roomy(&s.bounds)).collect();
-        let triangle_bounds = triangle_boxes.iter().fold(Bounds::EMPTY, |b, t| b.union(t));
+        let bounds = triangle_boxes.iter().chain(&solid_boxes).fold(Bounds::EMPTY, |b, t| b.union(t));
         let mut bvh = Self {
             geometry,
             nodes: Vec::new(),
             blocks: Vec::new(),
             solids: Vec::new(),
-            triangle_bounds,
+            bounds,
             depth: 0,
         };
-        let trees: Vec<(Binary, u32)> = [(triangle_boxes, BLOCKS), (solid_boxes, SOLIDS)]
+        let trees: Vec<(Binary, u32)> = [(triangle_boxes, BLOCK), (solid_boxes, SOLIDS)]
             .into_iter()
             .filter(|(boxes, _)| !boxes.is_empty())
-            .map(|(boxes, tag)| (Binary::build(boxes, if tag == BLOCKS { LANES } else { 2 }), tag))
+            .map(|(boxes, tag)| (Binary::build(boxes, if tag == BLOCK { LANES } else { 2 }), tag))
             .collect();
         bvh.collapse_all(&trees);
         bvh
@@ -153,13 +153,10 @@ impl<'g> Bvh<'g> {
         let numbered = |i: u32| -> (u32, [Vec3; 3]) {
             (self.geometry.triangle_numbers()[i as usize], self.geometry.triangles()[i as usize])
         };
-        let first = self.blocks.len();
         let mut indices: Vec<u32> = items.iter().map(|i| i.index).collect();
         indices.sort_unstable();
-        self.blocks.extend(
-            indices.chunks(LANES).map(|chunk| TriangleBlock::pack(chunk.iter().map(|&i| numbered(i)))),
-        );
-        Child::run(BLOCKS, first, self.blocks.len() - first)
+        self.blocks.push(TriangleBlock::pack(indices.into_iter().map(numbered)));
+        Child::run(BLOCK, self.blocks.len() - 1, items.len())
     }
 }
 

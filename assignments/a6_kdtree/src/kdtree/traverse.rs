@@ -18,6 +18,7 @@ use common::simd::{self, Simd, dispatch};
 
 /// One ray on its way through the tree.
 struct Query {
+    ray: Ray,
     interval: Interval,
     exact: ExactRay,
     filter: Filter,
@@ -43,6 +44,7 @@ impl Query {
         let [x, y, z] = exact.direction.to_array().map(|d| (d + 0.0).recip());
         let [ox, oy, oz] = exact.origin.to_array();
         let mut query = Self {
+            ray: *ray,
             interval,
             exact,
             filter: Filter::new(ray, &tree.triangle_bounds),
@@ -124,12 +126,11 @@ impl KdTree<'_> {
         mut best: Option<Hit>,
         c: &mut Counters,
     ) -> Option<Hit> {
-        let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
+        let job = Job { filter: &query.filter, ray: &query.ray, interval: query.interval };
         let mut stack = Stack::new(query.enter, query.exit);
         let last = |best: &Option<Hit>| f64::from(best.map_or(query.interval.max, |b| b.t)) + query.margin;
         while let Some(leaf) = self.next_leaf(query, &mut stack, last(&best), c) {
             let (blocks, solids) = self.held(leaf);
-            c.intersections += blocks.iter().map(|b| u64::from(b.len)).sum::<u64>();
             best = job.nearest(simd, blocks, best, c);
             let solids = solids.iter().copied();
             best = self.geometry.nearest_solid(solids, &query.exact, query.interval, best, c);
@@ -139,7 +140,7 @@ impl KdTree<'_> {
 
     #[inline(always)]
     fn any_in<S: Simd>(&self, simd: S, query: &Query, c: &mut Counters) -> bool {
-        let job = Job { filter: &query.filter, exact: &query.exact, interval: query.interval };
+        let job = Job { filter: &query.filter, ray: &query.ray, interval: query.interval };
         let mut stack = Stack::new(query.enter, query.exit);
         while let Some(leaf) = self.next_leaf(query, &mut stack, f64::INFINITY, c) {
             let (blocks, solids) = self.held(leaf);

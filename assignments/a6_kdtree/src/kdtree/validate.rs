@@ -76,7 +76,7 @@ impl KdTree<'_> {
             let held = self.held(node);
             self.check_leaf(held).map_err(|what| format!("leaf {index} {what}"))?;
             (blocks, solids, leaves) = (blocks + held.0.len(), solids + held.1.len(), leaves + 1);
-            references += held.0.iter().map(|b| b.len as usize).sum::<usize>() + held.1.len();
+            references += held.0.iter().map(|b| b.len()).sum::<usize>() + held.1.len();
         }
         let s = self.summary();
         if (s.nodes, s.leaves, s.depth, s.references) != (reached, leaves, deepest, references) {
@@ -90,7 +90,7 @@ impl KdTree<'_> {
 
     /// Its triangles and solids are ascending, so none is there twice, and are what they were.
     fn check_leaf(&self, (blocks, solids): (&[TriangleBlock], &[u32])) -> Result<(), String> {
-        let lanes = || blocks.iter().flat_map(|b| (0..b.len as usize).map(move |l| (b, l)));
+        let lanes = || blocks.iter().flat_map(|b| (0..b.len()).map(move |l| (b, l)));
         for (block, lane) in lanes() {
             let found = self.geometry.triangle_numbers().binary_search(&block.index[lane]);
             if found.is_ok_and(|i| self.geometry.triangles()[i] == block.vertices(lane)) {
@@ -149,5 +149,5 @@ fn surely_overlaps(a: &Bounds, b: &Bounds, slack: f64) -> bool {
 /// Whether ascending blocks hold the triangle of that number.
 fn holds_triangle(blocks: &[TriangleBlock], number: u32) -> bool {
     let block = blocks.partition_point(|b| b.index[0] <= number);
-    block > 0 && blocks[block - 1].index[..blocks[block - 1].len as usize].contains(&number)
+    block > 0 && blocks[block - 1].index[..blocks[block - 1].len()].contains(&number)
 }
