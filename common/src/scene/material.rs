@@ -59,6 +59,8 @@ pub struct ImageTexture {
     pub file: PathBuf,
     /// Repetitions along u and v.
     pub scale: [f32; 2],
+    /// Where its keyword stands.
+    pub position: Position,
 }
 
 /// A pattern p ↦ [0, 1] in space and the two materials it blends.
