@@ -95,3 +95,75 @@ fn adds_nothing(light: &Incident, surface: &Surface, side: f32) -> Option<Skip> 
     let in_front = surface.normal.dot(light.direction) * side > 0.0 && !through();
     (!in_front).then_some(Skip::Behind)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Unshadowed, diffuse};
+    use common::math::DVec3;
+    use common::mesh::{Mesh, MeshError};
+    use common::scene::{MeshSource, PhongMaterial, parse_str};
+    use std::sync::Arc;
+
+    struct NoMesh;
+
+    impl MeshSource for NoMesh {
+        fn mesh(&mut self, name: &str) -> Result<Arc<Mesh>, MeshError> {
+            Err(MeshError::new(format!("no mesh `{name}` here")))
+        }
+    }
+
+    /// A lamp that shines along `direction`, and no ambient light.
+    fn lit(direction: &str) -> Scene {
+        let text = format!(
+            "PerspectiveCamera {{ center 0 0 5 direction 0 0 -1 up 0 1 0 angle 40 }}
+             Lights {{ numLights 1 DirectionalLight {{ direction {direction} color 1 1 1 }} }}
+             Group {{ numObjects 0 }}"
+        );
+        parse_str("test", &text, &mut NoMesh).unwrap_or_else(|e| panic!("{e}"))
+    }
+
+    /// Looks at everything, also at lights that add nothing.
+    struct Thorough;
+
+    impl Visibility for Thorough {
+        fn transmitted(&mut self, _: &Surface, _: &Incident) -> Vec3 {
+            Vec3::ONE
+        }
+
+        fn skip(&mut self, _: Skip) -> bool {
+            false
+        }
+    }
+
+    /// The floor y = 0 with a smooth normal that leans along x by 45°, seen from above or below.
+    fn floor(light: &str, view: Vec3) -> [f32; 2] {
+        let scene = lit(light);
+        let local = LocalLight { scene: &scene, shade_back: true };
+        let surface = Surface {
+            point: DVec3::ZERO,
+            error: DVec3::ZERO,
+            normal: Vec3::new(1.0, 1.0, 0.0).normalize(),
+            geometric_normal: DVec3::Y,
+            material: 0,
+            primitive: 0,
+            weights: [0.0; 2],
+        };
+        let (material, view) = (PhongMaterial::default(), view.normalize());
+        let mixture = Mixture::Plain(&material);
+        let skipped = local.radiance(&surface, &mixture, view, diffuse, &mut Unshadowed);
+        let thorough = local.radiance(&surface, &mixture, view, diffuse, &mut Thorough);
+        [skipped.x, thorough.x]
+    }
+
+    #[test]
+    fn a_leaning_normal_lets_no_light_through_the_surface() {
+        let cosine = 0.5f32.sqrt();
+        let near = |found: [f32; 2], expected: f32| found.iter().all(|x| (x - expected).abs() < 1e-6);
+        assert!(near(floor("0 -1 0", Vec3::NEG_Y), cosine), "from above, seen from above");
+        assert!(near(floor("-1 0.1 0", Vec3::NEG_Y), 0.0), "from below, though the normal leans to it");
+        assert!(near(floor("1 -0.1 0", Vec3::NEG_Y), 0.0), "from above, though behind the normal");
+        assert!(near(floor("0 1 0", Vec3::Y), cosine), "from below, seen from below");
+        assert!(near(floor("1 -0.1 0", Vec3::new(0.5, 1.0, 0.0)), 0.0), "from above, seen from below");
+    }
+}

@@ -9,6 +9,8 @@
 mod build;
 mod smooth;
 mod surface;
+#[cfg(test)]
+mod tests;
 mod uv;
 
 pub use build::GeometryError;
