@@ -143,18 +143,15 @@ impl PhongArgs {
     ) -> Result<(), AppError> {
         let Some(path) = &self.preview else { return Ok(()) };
         let tessellation = report.time("tessellate", || self.tessellate(studio))?;
-        let film = report.time("preview", || self.film_of(studio, scene, &tessellation));
+        let film = report.time("preview", || self.preview_film(studio, scene, &tessellation));
         let (faces, corners) = (tessellation.faces.len(), tessellation.vertices.len());
         report.notes.push(format!("preview: {faces} polygons with {corners} corners"));
         Ok(report.time("write", || write(path, &film, Transfer::Linear))?)
     }
 
-    /// The preview of polygons made with [`PhongArgs::tessellate`], for scenes without textures.
-    pub fn preview_film(&self, studio: &Studio, tessellation: &Tessellation) -> Film {
-        self.film_of(studio, &studio.scene, tessellation)
-    }
-
-    fn film_of(&self, studio: &Studio, scene: &dyn World, tessellation: &Tessellation) -> Film {
+    /// The preview of polygons made with [`PhongArgs::tessellate`]; `scene` is the studio's, and
+    /// tells what its surfaces are made of.
+    pub fn preview_film(&self, studio: &Studio, scene: &dyn World, tessellation: &Tessellation) -> Film {
         let color = self.color(scene);
         let shading = if self.gouraud { Shading::Gouraud } else { Shading::Flat };
         let light = |surface: &Surface, view: Vec3| color.shade(surface, view);

@@ -107,6 +107,7 @@ mod tests {
     }
 
     #[test]
+    #[expect(clippy::approx_constant, reason = "the point that everyone quotes")]
     fn a6t3_values_that_are_known() {
         assert_eq!(at(3.14, 42.0, 7.0), 0.136_919_958_784_000_12);
         assert_eq!(at(-4.20, 10.0, 6.0), 0.142_080_000_000_000_43);
