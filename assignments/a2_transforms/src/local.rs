@@ -4,7 +4,7 @@ use crate::{Incident, incident};
 use a1_ray_casting::Mixture;
 use common::cli::Skip;
 use common::geometry::Surface;
-use common::math::Vec3;
+use common::math::{DVec3, Vec3};
 use common::scene::{PhongMaterial, Scene};
 
 /// What stands between a surface and a light.
@@ -59,12 +59,15 @@ impl LocalLight<'_> {
         if from_behind && !self.shade_back {
             return Vec3::ZERO;
         }
-        let side = if from_behind { -1.0 } else { 1.0 };
-        let normal = surface.normal * side;
+        let normal = if from_behind { -surface.normal } else { surface.normal };
+        let leaning_from = surface.is_smooth().then_some(match from_behind {
+            true => -surface.geometric_normal,
+            false => surface.geometric_normal,
+        });
         let mut radiance = self.scene.background.ambient_light * mixture.blend(|m| m.diffuse);
         for light in &self.scene.lights {
             let light = incident(light, surface.point);
-            let nothing = adds_nothing(&light, surface, side);
+            let nothing = adds_nothing(&light, normal, leaning_from);
             if nothing.is_some_and(|why| visibility.skip(why)) {
                 continue;
             }
@@ -78,21 +81,17 @@ impl LocalLight<'_> {
     }
 }
 
-/// Why a light need not be looked at, if so. `side` is 1 if the viewer is on the side of the
-/// surface's normal, else −1.
-///
-/// A smooth normal may lean towards a light that the surface itself turns its back to. Such
-/// light would have to come through the surface, so it does not count.
-fn adds_nothing(light: &Incident, surface: &Surface, side: f32) -> Option<Skip> {
+/// Why a light need not be looked at, if so. `normal` points to the viewer's side, and so does
+/// the normal of the surface itself, which is given if `normal` leans away from it. A smooth one
+/// may lean towards a light that the surface turns its back to; such light would have to come
+/// through the surface, so it does not count.
+fn adds_nothing(light: &Incident, normal: Vec3, leaning_from: Option<DVec3>) -> Option<Skip> {
     if light.color == Vec3::ZERO {
         return Some(Skip::Dark);
     }
-    let through = || {
-        surface.is_smooth()
-            && surface.geometric_normal.dot(light.direction.as_dvec3()) * f64::from(side) <= 0.0
-    };
     // Written so that NaN counts as behind.
-    let in_front = surface.normal.dot(light.direction) * side > 0.0 && !through();
+    let in_front = normal.dot(light.direction) > 0.0
+        && leaning_from.is_none_or(|own| own.dot(light.direction.as_dvec3()) > 0.0);
     (!in_front).then_some(Skip::Behind)
 }
 
@@ -100,7 +99,6 @@ fn adds_nothing(light: &Incident, surface: &Surface, side: f32) -> Option<Skip> 
 mod tests {
     use super::*;
     use crate::{Unshadowed, diffuse};
-    use common::math::DVec3;
     use common::mesh::{Mesh, MeshError};
     use common::scene::{MeshSource, PhongMaterial, parse_str};
     use std::sync::Arc;

@@ -2,9 +2,10 @@
 //! shaded smoother than it is.
 
 use crate::{Crossing, mirror, refract};
-use a1_ray_casting::Mixture;
+use a1_ray_casting::{Mixture, Part};
 use common::geometry::Surface;
 use common::math::{DVec3, Vec3};
+use common::scene::PhongMaterial;
 
 /// All that is transparent with one index of refraction: it takes one refracted ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,10 +20,29 @@ pub struct Pane {
 
 /// The transparent materials of a mixture, one pane for each index of refraction, in the order
 /// in which the indices first come up. With `black` opaque materials are panes too, of no share.
+#[inline]
 pub fn panes(mixture: &Mixture, black: bool) -> impl Iterator<Item = Pane> {
-    let clear = move || mixture.parts().filter(move |(_, m)| black || m.transparent != Vec3::ZERO);
+    let (one, several) = match mixture {
+        Mixture::Plain(material) => (pane(material, black), &[][..]),
+        Mixture::Blend(parts) => (None, &parts[..]),
+    };
+    one.into_iter().chain(blended_panes(several, black))
+}
+
+/// What most surfaces are: nothing mixed, mostly opaque.
+fn pane(material: &PhongMaterial, black: bool) -> Option<Pane> {
+    let (color, transparent) = (material.transparent, material.transparent != Vec3::ZERO);
+    let share = f32::from(u8::from(transparent));
+    let index_of_refraction = material.index_of_refraction;
+    (transparent || black).then_some(Pane { index_of_refraction, color, share })
+}
+
+fn blended_panes(parts: &[Part], black: bool) -> impl Iterator<Item = Pane> {
+    let parts = parts.iter().map(|part| (part.weight, &part.material));
+    let clear = move || parts.clone().filter(move |(_, m)| black || m.transparent != Vec3::ZERO);
+    let earlier = clear.clone();
     let first = move |(i, index): &(usize, f32)| {
-        clear().take(*i).all(|(_, other)| other.index_of_refraction != *index)
+        earlier().take(*i).all(|(_, other)| other.index_of_refraction != *index)
     };
     let indices = clear().map(|(_, m)| m.index_of_refraction).enumerate().filter(first);
     indices.map(move |(_, index)| {
@@ -47,21 +67,26 @@ pub fn opaque_mirror(mixture: &Mixture) -> Vec3 {
 /// the other side of the surface, as it may at grazing incidence, it is taken about the
 /// geometric normal: a mirror never lets light through, and has no black specks.
 pub fn mirrored_direction(incoming: DVec3, surface: &Surface) -> DVec3 {
+    let flat = || mirror(incoming, surface.geometric_normal);
+    if !surface.is_smooth() {
+        return flat();
+    }
     let direction = mirror(incoming, surface.shading_normal());
-    let turned_back = || direction.dot(surface.geometric_normal) * side(incoming, surface) < 0.0;
-    if !surface.is_smooth() || turned_back() { direction } else { mirror(incoming, surface.geometric_normal) }
+    let turned_back = direction.dot(surface.geometric_normal) * side(incoming, surface) < 0.0;
+    if turned_back { direction } else { flat() }
 }
 
 /// Refraction at the smooth normal if there is one; at the geometric normal where the refracted
 /// ray would not get through the surface, so that inside and outside stay what they are.
 pub fn crossing(incoming: DVec3, surface: &Surface, index_of_refraction: f32) -> Crossing {
     let index = f64::from(index_of_refraction);
+    let flat = || refract(incoming, surface.geometric_normal, index);
+    if !surface.is_smooth() {
+        return flat();
+    }
     let crossing = refract(incoming, surface.shading_normal(), index);
     let through = |d: DVec3| d.dot(surface.geometric_normal) * side(incoming, surface) > 0.0;
-    if !surface.is_smooth() || crossing.refracted.is_none_or(through) {
-        return crossing;
-    }
-    refract(incoming, surface.geometric_normal, index)
+    if crossing.refracted.is_none_or(through) { crossing } else { flat() }
 }
 
 /// Below zero for a ray that comes from outside.
@@ -72,8 +97,6 @@ fn side(incoming: DVec3, surface: &Surface) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use a1_ray_casting::Part;
-    use common::scene::PhongMaterial;
 
     fn glass(weight: f32, level: f32, index_of_refraction: f32) -> Part {
         let transparent = Vec3::splat(level);

@@ -48,8 +48,8 @@ impl Pattern {
             m.x_axis.abs() * point.x.abs() + m.y_axis.abs() * point.y.abs() + m.z_axis.abs() * point.z.abs();
         let tolerance = (terms + m.w_axis.abs()).truncate() * SAME;
         // The sum of large integers would be rounded; that of their last bits is not.
-        let odd: f64 = (0..3).map(|i| cell(p[i], tolerance[i]).rem_euclid(2.0)).sum();
-        f64::from(u8::from(odd.rem_euclid(2.0) != 1.0))
+        let odd = (0..3).filter(|&i| is_odd(cell(p[i], tolerance[i]))).count();
+        if odd % 2 == 0 { 1.0 } else { 0.0 }
     }
 }
 
@@ -57,6 +57,11 @@ impl Pattern {
 fn cell(x: f64, tolerance: f64) -> f64 {
     let nearest = x.round();
     if (x - nearest).abs() <= tolerance { nearest } else { x.floor() }
+}
+
+/// Whether an integer is odd. Halving is exact; what is no number is not odd.
+fn is_odd(x: f64) -> bool {
+    x / 2.0 - (x / 2.0).floor() > 0.0
 }
 
 /// A sine wave of the distance, pushed to and fro by the noise.

@@ -6,7 +6,7 @@ use common::geometry::{Geometry, Surface};
 use common::picture::PictureError;
 use common::scene::{ImageTexture, Material, PhongMaterial, Position, Scene};
 use std::cell::OnceCell;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BinaryHeap, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -79,8 +79,13 @@ impl<'a> TexturedScene<'a> {
     /// have higher indices. So each is worked out once, however many paths lead to it.
     fn weights(&self, surface: &Surface) -> Vec<(&Leaf, f64)> {
         let mut weights = Vec::new();
-        let mut waiting = BTreeMap::from([(surface.material, 1.0)]);
-        while let Some((index, weight)) = waiting.pop_last() {
+        // Indices with the bits of a weight, since only those have an order that is total.
+        let mut waiting = BinaryHeap::from([(surface.material, 1f64.to_bits())]);
+        while let Some((index, bits)) = waiting.pop() {
+            let mut weight = f64::from_bits(bits);
+            while let Some((_, more)) = pop_same(&mut waiting, index) {
+                weight += f64::from_bits(more);
+            }
             match &self.textures[index as usize] {
                 Texture::Leaf(leaf) => weights.push((leaf, weight)),
                 Texture::Solid { pattern, children: [first, second] } => {
@@ -88,7 +93,7 @@ impl<'a> TexturedScene<'a> {
                     for (child, share) in [(first, weight * value), (second, weight * (1.0 - value))] {
                         // What single precision takes for nothing is nothing.
                         if share as f32 > 0.0 {
-                            *waiting.entry(*child).or_insert(0.0) += share;
+                            waiting.push((*child, share.to_bits()));
                         }
                     }
                 }
@@ -96,6 +101,12 @@ impl<'a> TexturedScene<'a> {
         }
         weights
     }
+}
+
+/// Takes the highest entry if it is of this index.
+fn pop_same(waiting: &mut BinaryHeap<(u32, u64)>, index: u32) -> Option<(u32, u64)> {
+    let same = waiting.peek().is_some_and(|(next, _)| *next == index);
+    if same { waiting.pop() } else { None }
 }
 
 impl World for TexturedScene<'_> {
