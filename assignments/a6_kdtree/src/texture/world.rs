@@ -28,6 +28,7 @@ pub struct TexturedScene<'a> {
     geometry: &'a Geometry,
     /// What becomes of each material at a point.
     textures: Vec<Texture>,
+    /// Every picture once.
     images: Vec<Arc<Image>>,
 }
 
@@ -62,7 +63,7 @@ impl<'a> TexturedScene<'a> {
             })
         });
         let textures = textures.collect::<Result<Vec<_>, _>>()?;
-        Ok(Self { scene, geometry, textures, images: library.images })
+        Ok(Self { scene, geometry, textures, images: library.by_file.into_values().collect() })
     }
 
     /// What was made ready, for `-stats`; `None` if the scene has no textures.
@@ -146,7 +147,6 @@ impl World for TexturedScene<'_> {
 #[derive(Default)]
 struct Library {
     by_file: HashMap<PathBuf, Arc<Image>>,
-    images: Vec<Arc<Image>>,
 }
 
 impl Library {
@@ -174,7 +174,6 @@ impl Library {
         }
         let image = Arc::new(Image::read(file)?);
         self.by_file.insert(name, Arc::clone(&image));
-        self.images.push(Arc::clone(&image));
         Ok(image)
     }
 }
