@@ -1,10 +1,10 @@
 //! What a picture makes of a pixel's nearest hit.
 
+use crate::World;
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit, Surface};
 use common::math::Vec3;
 use common::ray::Ray;
-use common::scene::{Material, PhongMaterial, Scene};
 use std::cell::OnceCell;
 
 /// One camera ray and what it met. The surface point is worked out when first asked for, and
@@ -44,31 +44,24 @@ pub trait Layer: Sync {
 
 /// A1T2: the diffuse colour of what was hit, unlit.
 pub struct FlatColor<'a> {
-    scene: &'a Scene,
+    scene: &'a dyn World,
 }
 
 impl<'a> FlatColor<'a> {
     /// The colours of this scene.
-    pub fn new(scene: &'a Scene) -> Self {
+    pub fn new(scene: &'a dyn World) -> Self {
         Self { scene }
     }
 }
 
 impl Layer for FlatColor<'_> {
     fn value(&self, sight: &Sight, _: &mut Counters) -> Vec3 {
-        let Some(hit) = &sight.hit else { return self.scene.background.color };
-        plain_material(self.scene, sight.geometry.material(hit.primitive)).diffuse
-    }
-}
-
-/// A material that is no texture.
-///
-/// # Panics
-/// If it is one; [`crate::Studio::open`] refuses such scenes before the first ray.
-pub fn plain_material(scene: &Scene, index: u32) -> &PhongMaterial {
-    match &scene.materials[index as usize] {
-        Material::Phong(m) => m,
-        Material::Solid(_) => unreachable!("scenes with textures are refused when they are opened"),
+        let plain = sight.hit.and_then(|hit| self.scene.plain(sight.geometry.material(hit.primitive)));
+        if let Some(material) = plain {
+            return material.diffuse;
+        }
+        let Some(surface) = sight.surface() else { return self.scene.as_scene().background.color };
+        self.scene.at(surface).blend(|m| m.diffuse)
     }
 }
 

@@ -8,11 +8,13 @@ mod args;
 mod layer;
 mod report;
 mod studio;
+mod world;
 
 pub use args::{CastArgs, Program};
-pub use layer::{Depth, FlatColor, Layer, Sight, plain_material};
+pub use layer::{Depth, FlatColor, Layer, Sight};
 pub use report::Report;
 pub use studio::{Picture, Studio, picture};
+pub use world::{Mixture, Part, World};
 
 use common::accel::List;
 use common::cli::AppError;

@@ -43,19 +43,29 @@ pub struct Studio {
 }
 
 impl Studio {
+    /// As [`Studio::open_textured`], for steps that draw plain materials only.
+    ///
+    /// # Errors
+    /// Those, and a scene with textures.
+    pub fn open(args: &CastArgs, outputs: &[&Path]) -> Result<(Self, Report), AppError> {
+        let opened = Self::open_textured(args, outputs)?;
+        refuse_textures(&opened.0.scene)?;
+        Ok(opened)
+    }
+
     /// Checks the command line, then reads and prepares the scene. Everything that can be known
-    /// to fail fails here, before the first ray.
+    /// to fail fails here, before the first ray. The scene may have textures: it is for the
+    /// caller to draw them through a [`crate::World`] that knows how.
     ///
     /// # Errors
     /// Bad sizes and ranges, unwritable `outputs`, an unreadable scene.
-    pub fn open(args: &CastArgs, outputs: &[&Path]) -> Result<(Self, Report), AppError> {
+    pub fn open_textured(args: &CastArgs, outputs: &[&Path]) -> Result<(Self, Report), AppError> {
         let size = args.size()?;
         args.depth_layer()?;
         choose_instructions(args)?;
         check_outputs(args, outputs, size)?;
         let mut report = Report { size: Some(size), ..Report::default() };
         let scene = report.time("read", || scene::load(&args.input))?;
-        refuse_textures(&scene)?;
         let located = |e| AppError::Usage(format!("{}:{e}", args.input.display()));
         let geometry = report.time("prepare", || Geometry::build(&scene)).map_err(located)?;
         report.bounds = geometry.bounds();
@@ -175,7 +185,7 @@ fn place(path: &Path) -> PathBuf {
     path.canonicalize().ok().or_else(in_folder).unwrap_or_else(|| path.to_owned())
 }
 
-/// Solid textures are drawn from assignment 6 on; a wrong picture would be worse than none.
+/// Textures are drawn from assignment 6 on; a wrong picture would be worse than none.
 fn refuse_textures(scene: &Scene) -> Result<(), AppError> {
     let textured = |m: &Material| match m {
         Material::Solid(_) => true,

@@ -1,9 +1,10 @@
 //! A2T2: light at a surface point, straight from the sources.
 
 use crate::{Incident, incident};
+use a1_ray_casting::Mixture;
 use common::cli::Skip;
 use common::geometry::Surface;
-use common::math::Vec3;
+use common::math::{DVec3, Vec3};
 use common::scene::{PhongMaterial, Scene};
 
 /// What stands between a surface and a light.
@@ -39,16 +40,17 @@ pub struct LocalLight<'a> {
 
 impl LocalLight<'_> {
     /// Ambient and direct light that `surface` sends back against `view` (the unit direction of
-    /// the ray that hit it). `reflect` is the share of one light that the material sends on,
-    /// given normal, direction to the light and direction to the viewer, all unit; it must be
-    /// black for light from behind.
+    /// the ray that hit it). `reflect` is the share of one light that a material sends on, given
+    /// normal, direction to the light and direction to the viewer, all unit; a mixture sends on
+    /// the weighted sum. It must be black for light from behind. However many materials are
+    /// mixed, what stands before a light is asked for once.
     ///
     /// A surface seen from behind is black, ambient light included, unless `shade_back` turns
     /// its normal round first.
     pub fn radiance(
         &self,
         surface: &Surface,
-        material: &PhongMaterial,
+        mixture: &Mixture,
         view: Vec3,
         reflect: impl Fn(&PhongMaterial, Vec3, Vec3, Vec3) -> Vec3,
         visibility: &mut impl Visibility,
@@ -58,25 +60,108 @@ impl LocalLight<'_> {
             return Vec3::ZERO;
         }
         let normal = if from_behind { -surface.normal } else { surface.normal };
-        let mut radiance = self.scene.background.ambient_light * material.diffuse;
+        let leaning_from = surface.is_smooth().then_some(match from_behind {
+            true => -surface.geometric_normal,
+            false => surface.geometric_normal,
+        });
+        let mut radiance = self.scene.background.ambient_light * mixture.blend(|m| m.diffuse);
         for light in &self.scene.lights {
             let light = incident(light, surface.point);
-            if adds_nothing(&light, normal).is_some_and(|why| visibility.skip(why)) {
+            let nothing = adds_nothing(&light, normal, leaning_from);
+            if nothing.is_some_and(|why| visibility.skip(why)) {
                 continue;
             }
-            let reflected = reflect(material, normal, light.direction, -view);
+            let reflected = match nothing {
+                Some(Skip::Behind) => Vec3::ZERO,
+                _ => mixture.blend(|m| reflect(m, normal, light.direction, -view)),
+            };
             radiance += visibility.transmitted(surface, &light) * light.color * reflected;
         }
         radiance
     }
 }
 
-/// Why a light need not be looked at, if so.
-fn adds_nothing(light: &Incident, normal: Vec3) -> Option<Skip> {
+/// Why a light need not be looked at, if so. `normal` points to the viewer's side, and so does
+/// the normal of the surface itself, which is given if `normal` leans away from it. A smooth one
+/// may lean towards a light that the surface turns its back to; such light would have to come
+/// through the surface, so it does not count.
+fn adds_nothing(light: &Incident, normal: Vec3, leaning_from: Option<DVec3>) -> Option<Skip> {
     if light.color == Vec3::ZERO {
         return Some(Skip::Dark);
     }
     // Written so that NaN counts as behind.
-    let in_front = normal.dot(light.direction) > 0.0;
+    let in_front = normal.dot(light.direction) > 0.0
+        && leaning_from.is_none_or(|own| own.dot(light.direction.as_dvec3()) > 0.0);
     (!in_front).then_some(Skip::Behind)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Unshadowed, diffuse};
+    use common::mesh::{Mesh, MeshError};
+    use common::scene::{MeshSource, PhongMaterial, parse_str};
+    use std::sync::Arc;
+
+    struct NoMesh;
+
+    impl MeshSource for NoMesh {
+        fn mesh(&mut self, name: &str) -> Result<Arc<Mesh>, MeshError> {
+            Err(MeshError::new(format!("no mesh `{name}` here")))
+        }
+    }
+
+    /// A lamp that shines along `direction`, and no ambient light.
+    fn lit(direction: &str) -> Scene {
+        let text = format!(
+            "PerspectiveCamera {{ center 0 0 5 direction 0 0 -1 up 0 1 0 angle 40 }}
+             Lights {{ numLights 1 DirectionalLight {{ direction {direction} color 1 1 1 }} }}
+             Group {{ numObjects 0 }}"
+        );
+        parse_str("test", &text, &mut NoMesh).unwrap_or_else(|e| panic!("{e}"))
+    }
+
+    /// Looks at everything, also at lights that add nothing.
+    struct Thorough;
+
+    impl Visibility for Thorough {
+        fn transmitted(&mut self, _: &Surface, _: &Incident) -> Vec3 {
+            Vec3::ONE
+        }
+
+        fn skip(&mut self, _: Skip) -> bool {
+            false
+        }
+    }
+
+    /// The floor y = 0 with a smooth normal that leans along x by 45°, seen from above or below.
+    fn floor(light: &str, view: Vec3) -> [f32; 2] {
+        let scene = lit(light);
+        let local = LocalLight { scene: &scene, shade_back: true };
+        let surface = Surface {
+            point: DVec3::ZERO,
+            error: DVec3::ZERO,
+            normal: Vec3::new(1.0, 1.0, 0.0).normalize(),
+            geometric_normal: DVec3::Y,
+            material: 0,
+            primitive: 0,
+            weights: [0.0; 2],
+        };
+        let (material, view) = (PhongMaterial::default(), view.normalize());
+        let mixture = Mixture::Plain(&material);
+        let skipped = local.radiance(&surface, &mixture, view, diffuse, &mut Unshadowed);
+        let thorough = local.radiance(&surface, &mixture, view, diffuse, &mut Thorough);
+        [skipped.x, thorough.x]
+    }
+
+    #[test]
+    fn a_leaning_normal_lets_no_light_through_the_surface() {
+        let cosine = 0.5f32.sqrt();
+        let near = |found: [f32; 2], expected: f32| found.iter().all(|x| (x - expected).abs() < 1e-6);
+        assert!(near(floor("0 -1 0", Vec3::NEG_Y), cosine), "from above, seen from above");
+        assert!(near(floor("-1 0.1 0", Vec3::NEG_Y), 0.0), "from below, though the normal leans to it");
+        assert!(near(floor("1 -0.1 0", Vec3::NEG_Y), 0.0), "from above, though behind the normal");
+        assert!(near(floor("0 1 0", Vec3::Y), cosine), "from below, seen from below");
+        assert!(near(floor("1 -0.1 0", Vec3::new(0.5, 1.0, 0.0)), 0.0), "from above, seen from below");
+    }
 }

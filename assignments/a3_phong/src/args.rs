@@ -1,13 +1,12 @@
 //! The flags of assignment 3, on top of those of assignments 1 and 2.
 
 use crate::{Canvas, Phong, PhongColor, Preview, Resolution, Shading, Tessellation, Tessellator};
-use a1_ray_casting::{CastArgs, Report, Studio};
+use a1_ray_casting::{CastArgs, Report, Studio, World};
 use a2_transforms::DiffuseArgs;
 use common::cli::{self, AppError};
 use common::geometry::Surface;
 use common::math::Vec3;
 use common::picture::{Film, Transfer, write};
-use common::scene::Scene;
 use std::path::{Path, PathBuf};
 
 /// Most polygons of a preview: about 3 GiB with all that belongs to them.
@@ -80,9 +79,9 @@ impl PhongArgs {
     }
 
     /// The colours of a scene, seen with these flags.
-    pub fn color<'a>(&self, scene: &'a Scene) -> PhongColor<'a> {
+    pub fn color<'a>(&self, scene: &'a dyn World) -> PhongColor<'a> {
         let phong = Phong { specular: self.specular };
-        PhongColor { scene, light: self.diffuse.local_light(scene), phong }
+        PhongColor { scene, light: self.diffuse.local_light(scene.as_scene()), phong }
     }
 
     /// Refuses an empty task and warns of flags without effect.
@@ -131,22 +130,29 @@ impl PhongArgs {
         }
     }
 
-    /// Draws and writes the preview, if asked for. [`Studio::open`] has checked its file.
+    /// Draws and writes the preview of the studio's scene, if asked for. [`Studio::open`] has
+    /// checked its file. `scene` tells what surfaces are made of.
     ///
     /// # Errors
     /// If the picture cannot be written.
-    pub fn draw_preview(&self, studio: &Studio, report: &mut Report) -> Result<(), AppError> {
+    pub fn draw_preview(
+        &self,
+        studio: &Studio,
+        scene: &dyn World,
+        report: &mut Report,
+    ) -> Result<(), AppError> {
         let Some(path) = &self.preview else { return Ok(()) };
         let tessellation = report.time("tessellate", || self.tessellate(studio))?;
-        let film = report.time("preview", || self.preview_film(studio, &tessellation));
+        let film = report.time("preview", || self.preview_film(studio, scene, &tessellation));
         let (faces, corners) = (tessellation.faces.len(), tessellation.vertices.len());
         report.notes.push(format!("preview: {faces} polygons with {corners} corners"));
         Ok(report.time("write", || write(path, &film, Transfer::Linear))?)
     }
 
-    /// The preview of polygons made with [`PhongArgs::tessellate`].
-    pub fn preview_film(&self, studio: &Studio, tessellation: &Tessellation) -> Film {
-        let color = self.color(&studio.scene);
+    /// The preview of polygons made with [`PhongArgs::tessellate`]; `scene` is the studio's, and
+    /// tells what its surfaces are made of.
+    pub fn preview_film(&self, studio: &Studio, scene: &dyn World, tessellation: &Tessellation) -> Film {
+        let color = self.color(scene);
         let shading = if self.gouraud { Shading::Gouraud } else { Shading::Flat };
         let light = |surface: &Surface, view: Vec3| color.shade(surface, view);
         let canvas = Canvas {

@@ -27,7 +27,7 @@ use common::cli::AppError;
 pub fn run(args: &PhongArgs) -> Result<(), AppError> {
     args.check()?;
     let (studio, mut report) = Studio::open(args.cast(), &args.outputs())?;
-    args.draw_preview(&studio, &mut report)?;
+    args.draw_preview(&studio, &studio.scene, &mut report)?;
     let list = report.time("build", || List::new(&studio.geometry));
     let color = args.color(&studio.scene);
     let mut pictures = args.diffuse.side_pictures();

@@ -1,12 +1,12 @@
 //! A3T1: the highlight.
 
 use crate::Specular;
-use a1_ray_casting::{Layer, Sight, plain_material};
+use a1_ray_casting::{Layer, Sight, World};
 use a2_transforms::{LocalLight, Unshadowed, diffuse};
 use common::counters::Counters;
 use common::geometry::Surface;
 use common::math::Vec3;
-use common::scene::{PhongMaterial, Scene};
+use common::scene::PhongMaterial;
 
 /// Diffuse reflection with a highlight.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -37,7 +37,7 @@ impl Phong {
 /// The picture of assignment 3: ambient, diffuse and specular light.
 pub struct PhongColor<'a> {
     /// Materials and background.
-    pub scene: &'a Scene,
+    pub scene: &'a dyn World,
     /// Its lights.
     pub light: LocalLight<'a>,
     /// The reflection model.
@@ -48,15 +48,15 @@ impl PhongColor<'_> {
     /// The light that a surface sends back against `view`, the unit direction of sight. The
     /// preview asks for it at corners of polygons, the ray tracer at hits.
     pub fn shade(&self, surface: &Surface, view: Vec3) -> Vec3 {
-        let material = plain_material(self.scene, surface.material);
+        let mixture = self.scene.at(surface);
         let reflect = |m: &PhongMaterial, n, l, v| self.phong.reflect(m, n, l, v);
-        self.light.radiance(surface, material, view, reflect, &mut Unshadowed)
+        self.light.radiance(surface, &mixture, view, reflect, &mut Unshadowed)
     }
 }
 
 impl Layer for PhongColor<'_> {
     fn value(&self, sight: &Sight, _: &mut Counters) -> Vec3 {
-        let Some(surface) = sight.surface() else { return self.scene.background.color };
+        let Some(surface) = sight.surface() else { return self.scene.as_scene().background.color };
         self.shade(surface, sight.ray.direction)
     }
 }

@@ -2,13 +2,12 @@
 
 use crate::{Canvas, Corner, Face, Tessellation, rasterise};
 use common::camera::Camera;
-use common::geometry::Surface;
+use common::geometry::{Surface, facing};
 use common::math::{DVec3, Vec3};
 use common::picture::Film;
 
-/// The sine of the angle by which a smooth normal must face the same way as its polygon does.
-/// Far above what rounding could undo, far below what anyone could see.
-const FACING: f64 = 1e-4;
+/// Barycentric weights of a triangle's second and third corner, at each of its corners.
+const AT_CORNER: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
 /// How polygons get their colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -43,14 +42,14 @@ impl<F: Fn(&Surface, Vec3) -> Vec3> Preview<'_, F> {
         let triangles = self.tessellation.faces.iter().flat_map(|face| {
             let flat = (self.shading == Shading::Flat).then(|| self.flat_color(face));
             let from_behind = self.sight(self.middle(face)).dot(face.normal) > 0.0;
-            let mut color = |k: u32| {
-                let known = &mut known[k as usize][usize::from(from_behind)];
-                *known.get_or_insert_with(|| self.smooth_color(face, k, from_behind))
+            let mut color = |i: usize| {
+                let known = &mut known[face.corners[i] as usize][usize::from(from_behind)];
+                *known.get_or_insert_with(|| self.smooth_color(face, i, from_behind))
             };
-            face.split(
-                face.corners
-                    .map(|k| Corner { color: flat.unwrap_or_else(|| color(k)), ..corners[k as usize] }),
-            )
+            face.split([0, 1, 2, 3].map(|i| Corner {
+                color: flat.unwrap_or_else(|| color(i)),
+                ..corners[face.corners[i] as usize]
+            }))
         });
         rasterise(canvas, triangles)
     }
@@ -72,32 +71,28 @@ impl<F: Fn(&Surface, Vec3) -> Vec3> Preview<'_, F> {
     }
 
     fn flat_color(&self, face: &Face) -> Vec3 {
-        self.color(face.material, self.middle(face), face.normal)
+        self.color(face, self.middle(face), [1.0 / 3.0; 2], face.normal)
     }
 
-    /// The colour of one corner of a polygon. Near a silhouette the smooth normal may point
-    /// away although the polygon itself faces the viewer (or the other way round). The polygon
-    /// decides; the normal is bent until it just agrees, else outlines would turn black.
-    fn smooth_color(&self, face: &Face, vertex: u32, from_behind: bool) -> Vec3 {
-        let vertex = &self.tessellation.vertices[vertex as usize];
-        let sight = self.sight(vertex.point);
-        let side = if from_behind { 1.0 } else { -1.0 };
-        let towards = vertex.normal.dot(sight) * side;
-        let missing = (FACING - towards).max(0.0);
-        self.color(
-            face.material,
-            vertex.point,
-            (vertex.normal + sight * (missing * side)).normalize_or_zero(),
-        )
+    /// The colour of corner `i` of a polygon. Whether it is seen from behind, the polygon
+    /// decides, not the smooth normal of the corner.
+    fn smooth_color(&self, face: &Face, i: usize, from_behind: bool) -> Vec3 {
+        let vertex = &self.tessellation.vertices[face.corners[i] as usize];
+        let normal = facing(vertex.normal, self.sight(vertex.point), from_behind);
+        self.color(face, vertex.point, AT_CORNER[i.min(2)], normal)
     }
 
-    fn color(&self, material: u32, point: DVec3, normal: DVec3) -> Vec3 {
+    /// The colour at a point of a polygon; its barycentric weights count if it is a triangle of
+    /// the scene.
+    fn color(&self, face: &Face, point: DVec3, weights: [f32; 2], normal: DVec3) -> Vec3 {
         let surface = Surface {
             point,
             error: DVec3::ZERO,
             normal: normal.as_vec3(),
             geometric_normal: normal,
-            material,
+            material: face.material,
+            primitive: face.primitive,
+            weights,
         };
         (self.light)(&surface, self.sight(point).as_vec3())
     }

@@ -1,12 +1,11 @@
 //! The flags of assignment 4, on top of those of assignments 1 to 3.
 
 use crate::{RayTree, Rules, Whitted};
-use a1_ray_casting::{CastArgs, Report, Sight, Studio};
+use a1_ray_casting::{CastArgs, Report, Sight, Studio, World};
 use a3_phong::{Phong, PhongArgs};
 use common::accel::Accel;
 use common::camera::screen_position;
 use common::cli::{self, AppError, Skip};
-use common::scene::Scene;
 use std::path::Path;
 
 /// Whitted ray tracing: shadows, reflection, refraction.
@@ -99,12 +98,12 @@ impl WhittedArgs {
     }
 
     /// The tracer that these flags describe.
-    pub fn whitted<'a>(&self, scene: &'a Scene, accel: &'a dyn Accel) -> Whitted<'a> {
+    pub fn whitted<'a>(&self, scene: &'a dyn World, accel: &'a dyn Accel) -> Whitted<'a> {
         let skips = |kind| self.cast().general.skips(kind);
         Whitted {
             scene,
             accel,
-            light: self.phong.diffuse.local_light(scene),
+            light: self.phong.diffuse.local_light(scene.as_scene()),
             phong: Phong { specular: self.phong.specular },
             rules: Rules {
                 shadows: self.shadows,

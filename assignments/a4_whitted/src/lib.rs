@@ -5,6 +5,7 @@
 //! how much of each light arrives. A [`Recorder`] can watch; [`RayTree`] writes down all it sees.
 
 mod args;
+mod interface;
 mod optics;
 mod shadow;
 mod tree;
@@ -15,7 +16,7 @@ pub use optics::{Crossing, mirror, refract};
 pub use tree::{NoRecord, RayKind, RayNode, RayTree, Recorder};
 pub use whitted::{Rules, Whitted, WhittedColor};
 
-use a1_ray_casting::{Report, Studio};
+use a1_ray_casting::{Report, Studio, World};
 use common::accel::{Accel, List};
 use common::cli::AppError;
 
@@ -26,22 +27,24 @@ use common::cli::AppError;
 pub fn run(args: &WhittedArgs) -> Result<(), AppError> {
     args.check()?;
     let (studio, mut report) = Studio::open(args.cast(), &args.outputs())?;
-    args.phong.draw_preview(&studio, &mut report)?;
+    args.phong.draw_preview(&studio, &studio.scene, &mut report)?;
     let list = report.time("build", || List::new(&studio.geometry));
-    shoot(args, &studio, &list, report)
+    shoot(args, &studio, &studio.scene, &list, report)
 }
 
-/// Renders and writes the pictures of this step and those before through any structure.
+/// Renders and writes the pictures of this step and those before through any structure. `scene`
+/// is the studio's, and tells what its surfaces are made of.
 ///
 /// # Errors
 /// An unwritable picture.
 pub fn shoot(
     args: &WhittedArgs,
     studio: &Studio,
+    scene: &dyn World,
     accel: &dyn Accel,
     mut report: Report,
 ) -> Result<(), AppError> {
-    let whitted = args.whitted(&studio.scene, accel);
+    let whitted = args.whitted(scene, accel);
     args.print_ray_tree(studio, &whitted, &mut report)?;
     let mut pictures = args.phong.diffuse.side_pictures();
     pictures.extend(args.cast().color_picture(WhittedColor { whitted }));

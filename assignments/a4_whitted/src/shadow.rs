@@ -1,11 +1,10 @@
 //! A4T1: shadow rays.
 
 use crate::{Recorder, Whitted};
-use a1_ray_casting::plain_material;
 use a2_transforms::{Incident, Source, Visibility};
 use common::cli::Skip;
 use common::counters::Counters;
-use common::geometry::Surface;
+use common::geometry::{Hit, Surface};
 use common::math::{Interval, Vec3};
 use common::ray::Ray;
 
@@ -37,12 +36,20 @@ fn shadow_ray(surface: &Surface, light: &Incident) -> (Ray, Interval) {
 }
 
 impl<R: Recorder> ShadowRays<'_, '_, R> {
+    /// The transparent colour of what was hit. Only a texture needs the point.
+    fn transparency(&self, ray: &Ray, hit: &Hit) -> Vec3 {
+        let (scene, geometry) = (self.whitted.scene, self.whitted.accel.geometry());
+        match scene.plain(geometry.material(hit.primitive)) {
+            Some(material) => material.transparent,
+            None => scene.at(&geometry.surface(ray, hit)).blend(|m| m.transparent),
+        }
+    }
+
     /// The product of the transparent colours on the way; black at the first opaque surface.
     fn filtered(&mut self, ray: &Ray, mut interval: Interval) -> Vec3 {
         let mut share = Vec3::ONE;
         while let Some(hit) = self.whitted.accel.nearest(ray, interval, self.counters) {
-            let material = self.whitted.accel.geometry().material(hit.primitive);
-            share *= plain_material(self.whitted.scene, material).transparent;
+            share *= self.transparency(ray, &hit);
             if share == Vec3::ZERO {
                 break;
             }

@@ -1,8 +1,9 @@
 //! A4T2, A4T3: the recursion of mirrored and refracted rays, without recursion.
 
+use crate::interface::{crossing, mirrored_direction, opaque_mirror, panes};
 use crate::shadow::ShadowRays;
-use crate::{NoRecord, RayKind, Recorder, mirror, refract};
-use a1_ray_casting::{Layer, Sight, plain_material};
+use crate::{NoRecord, RayKind, Recorder};
+use a1_ray_casting::{Layer, Mixture, Sight, World};
 use a2_transforms::LocalLight;
 use a3_phong::Phong;
 use common::accel::Accel;
@@ -10,7 +11,7 @@ use common::counters::Counters;
 use common::geometry::{Hit, Surface};
 use common::math::{DVec3, Interval, Vec3};
 use common::ray::Ray;
-use common::scene::{PhongMaterial, Scene};
+use common::scene::PhongMaterial;
 
 /// What is traced, and what is left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,7 +38,7 @@ pub struct Rules {
 #[derive(Clone, Copy)]
 pub struct Whitted<'a> {
     /// Materials, lights, background.
-    pub scene: &'a Scene,
+    pub scene: &'a dyn World,
     /// What finds hits.
     pub accel: &'a dyn Accel,
     /// Direct light.
@@ -94,46 +95,50 @@ impl Whitted<'_> {
     ) -> Vec3 {
         let id = recorder.ray(branch.parent, branch.kind, &branch.ray, hit, branch.weight);
         let (Some(hit), Some(surface)) = (hit, surface) else {
-            return branch.throughput * self.scene.background.color;
+            return branch.throughput * self.scene.as_scene().background.color;
         };
-        let material = plain_material(self.scene, surface.material);
+        let mixture = self.scene.at(&surface);
         let incoming = branch.ray.direction.as_dvec3();
-        let throughput = branch.throughput * inside(material, &surface, incoming, hit.t);
+        let throughput = branch.throughput * inside(&mixture, &surface, incoming, hit.t);
         if branch.depth < self.rules.bounces {
             let at = Branch { throughput, parent: id, ..*branch };
-            self.branch(&at, &surface, material, waiting, counters);
+            self.branch(&at, &surface, &mixture, waiting, counters);
         }
         let reflect = |m: &PhongMaterial, n, l, v| self.phong.reflect(m, n, l, v);
         let mut shadows = ShadowRays { whitted: self, counters, recorder, parent: id };
-        throughput * self.light.radiance(&surface, material, branch.ray.direction, reflect, &mut shadows)
+        throughput * self.light.radiance(&surface, &mixture, branch.ray.direction, reflect, &mut shadows)
     }
 
-    /// Puts the mirrored and the refracted ray on the heap, the mirrored one on top.
+    /// Puts the mirrored ray and the refracted ones on the heap, the mirrored one on top. What is
+    /// mixed of several materials has one mirror, and a refracted ray for each index of
+    /// refraction that light can bend by.
     fn branch<I: Copy>(
         &self,
         at: &Branch<I>,
         surface: &Surface,
-        material: &PhongMaterial,
+        mixture: &Mixture,
         waiting: &mut Vec<Branch<I>>,
         counters: &mut Counters,
     ) {
-        let (incoming, normal) = (at.ray.direction.as_dvec3(), surface.geometric_normal);
-        let (mut mirrored, mut refracted) = (material.reflective, material.transparent);
-        let transparent = refracted != Vec3::ZERO;
-        if transparent || !self.rules.skip_black {
-            let crossing = refract(incoming, normal, f64::from(material.index_of_refraction));
-            if self.rules.fresnel && transparent {
-                mirrored = Vec3::splat(crossing.reflectance as f32);
-                refracted *= 1.0 - crossing.reflectance as f32;
+        let (incoming, fresnel) = (at.ray.direction.as_dvec3(), self.rules.fresnel);
+        let mut mirrored = if fresnel { opaque_mirror(mixture) } else { mixture.blend(|m| m.reflective) };
+        let mut opaque = true;
+        for pane in panes(mixture, !self.rules.skip_black) {
+            opaque = false;
+            let crossing = crossing(incoming, surface, pane.index_of_refraction);
+            let mut refracted = pane.color;
+            if fresnel {
+                let reflectance = crossing.reflectance as f32;
+                mirrored += Vec3::splat(pane.share * reflectance);
+                refracted *= 1.0 - reflectance;
             }
             if let Some(direction) = crossing.refracted {
                 self.push(at, RayKind::Refracted, refracted, surface, direction, waiting, counters);
             }
-        } else {
-            counters.skipped_black_secondary += 1;
         }
+        counters.skipped_black_secondary += u64::from(opaque);
         if mirrored != Vec3::ZERO || !self.rules.skip_black {
-            let direction = mirror(incoming, normal);
+            let direction = mirrored_direction(incoming, surface);
             self.push(at, RayKind::Mirrored, mirrored, surface, direction, waiting, counters);
         } else {
             counters.skipped_black_secondary += 1;
@@ -170,13 +175,17 @@ impl Whitted<'_> {
 }
 
 /// What Beer–Lambert absorption leaves of light that came through the body to this surface: a
-/// ray that meets a transparent surface from behind has travelled inside.
-fn inside(material: &PhongMaterial, surface: &Surface, incoming: DVec3, t: f32) -> Vec3 {
+/// ray that meets a transparent surface from behind has travelled inside. Of a mixture each part
+/// leaves its own share.
+fn inside(mixture: &Mixture, surface: &Surface, incoming: DVec3, t: f32) -> Vec3 {
     let leaves = incoming.dot(surface.geometric_normal) > 0.0;
-    if material.absorption == Vec3::ZERO || !leaves {
+    if !leaves {
         return Vec3::ONE;
     }
-    (-material.absorption * t).exp()
+    mixture.blend(|m| match m.absorption == Vec3::ZERO {
+        true => Vec3::ONE,
+        false => (-m.absorption * t).exp(),
+    })
 }
 
 /// The colour picture of assignment 4.

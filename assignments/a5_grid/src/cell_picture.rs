@@ -1,7 +1,7 @@
 //! A5T2: the grid itself as a picture.
 
 use crate::{Cells, March};
-use a1_ray_casting::{Layer, Sight};
+use a1_ray_casting::{Layer, Mixture, Sight};
 use a2_transforms::{LocalLight, Unshadowed, diffuse};
 use common::counters::Counters;
 use common::geometry::Surface;
@@ -49,9 +49,12 @@ impl CellPicture<'_> {
             normal: normal.as_vec3(),
             geometric_normal: normal,
             material: 0,
+            primitive: 0,
+            weights: [0.0; 2],
         };
         let material = PhongMaterial { diffuse: cell_color(count), ..PhongMaterial::default() };
-        self.light.radiance(&surface, &material, sight.ray.direction, diffuse, &mut Unshadowed)
+        let mixture = Mixture::Plain(&material);
+        self.light.radiance(&surface, &mixture, sight.ray.direction, diffuse, &mut Unshadowed)
     }
 
     /// The face through which a ray that starts inside a cell would have come in.

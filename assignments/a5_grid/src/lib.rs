@@ -29,7 +29,7 @@ use common::math::{Bounds, Vec3};
 pub fn run(args: &GridArgs) -> Result<(), AppError> {
     args.check()?;
     let (studio, mut report) = Studio::open(args.cast(), &args.outputs())?;
-    args.whitted.phong.draw_preview(&studio, &mut report)?;
+    args.whitted.phong.draw_preview(&studio, &studio.scene, &mut report)?;
     let cells = args.cells(&studio)?;
     report.cells = cells.as_ref().map(|c| c.count.map(|n| n as u32));
     if args.shows_cells() {
@@ -37,12 +37,15 @@ pub fn run(args: &GridArgs) -> Result<(), AppError> {
     }
     let accel = report.time("build", || args.structure(&studio.geometry, cells))?;
     report.notes.push(accel.describe());
-    a4_whitted::shoot(&args.whitted, &studio, accel.as_accel(), report)
+    a4_whitted::shoot(&args.whitted, &studio, &studio.scene, accel.as_accel(), report)
 }
 
 /// The picture of `-visualize_grid`, with the depth and normal pictures beside it. Only counts
 /// are kept of the cells, unless one of those pictures needs hits.
-fn picture_of_cells(
+///
+/// # Errors
+/// If a grid that hits need would be too large, or a picture cannot be written.
+pub fn picture_of_cells(
     args: &GridArgs,
     studio: &Studio,
     cells: Option<Cells>,

@@ -12,7 +12,8 @@ use common::geometry::Geometry;
 /// boxes cost about as much as one block of eight triangles.
 const WORTH_A_TREE: usize = 16;
 
-/// Ray tracing through kd-trees, a bounding volume hierarchy, or any structure of the steps below.
+/// Ray tracing through kd-trees, a bounding volume hierarchy, or any structure of the steps below;
+/// textures: checkerboard, noise, marble, wood, pictures.
 #[derive(clap::Parser)]
 #[command(
     name = "a6_kdtree",

@@ -1,5 +1,7 @@
 //! From the scene as written to primitives in world space.
 
+use super::smooth::Smooth;
+use super::uv::{UvMap, pictured};
 use super::{Geometry, Run, RunKind, Sheet, Solid, SolidShape};
 use crate::math::affine::AffineKind;
 use crate::math::{Affine, Bounds, DMat4, DVec3, Vec3};
@@ -8,6 +10,8 @@ use crate::scene::{Disc, Node, NodeKind, Position, Scene, ShapeSpec};
 use crate::shape::ellipsoid::Ellipsoid;
 use crate::shape::plane::Plane;
 use crate::shape::sphere::Sphere;
+use std::collections::HashMap;
+use std::sync::Arc;
 
 /// A shape that cannot be placed in the world.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -26,6 +30,15 @@ struct Placement {
     transformed: bool,
 }
 
+/// What is worked out once and used by many shapes.
+struct Shared<'a> {
+    scene: &'a Scene,
+    /// Whether there are pictures on each material.
+    pictured: Vec<bool>,
+    /// Vertex normals of the meshes that are drawn smooth.
+    normals: HashMap<u32, Arc<[Vec3]>>,
+}
+
 impl Geometry {
     /// Composes all transforms in `f64` and bakes every shape.
     ///
@@ -33,12 +46,13 @@ impl Geometry {
     /// If a composed transform has no inverse, or takes a shape beyond the range of `f32`.
     pub fn build(scene: &Scene) -> Result<Self, GeometryError> {
         let mut geometry = Self::default();
+        let mut shared = Shared { scene, pictured: pictured(&scene.materials), normals: HashMap::new() };
         let mut placements: Vec<Placement> = Vec::with_capacity(scene.nodes.len());
         for node in &scene.nodes {
             let placement = place(node, &placements);
             placements.push(placement);
             if let NodeKind::Shape { shape, material } = &node.kind {
-                geometry.add(scene, node, shape, *material, &placement)?;
+                geometry.add(&mut shared, node, shape, *material, &placement)?;
             }
         }
         geometry.bounds = geometry.finite_bounds();
@@ -47,7 +61,7 @@ impl Geometry {
 
     fn add(
         &mut self,
-        scene: &Scene,
+        shared: &mut Shared,
         node: &Node,
         shape: &ShapeSpec,
         material: u32,
@@ -77,12 +91,12 @@ impl Geometry {
                 (RunKind::Triangle, self.add_triangles(first, &to_world, std::iter::once(*vertices)))
             }
             ShapeSpec::Mesh { mesh, .. } => {
-                let mesh = &scene.meshes[*mesh as usize];
-                (RunKind::Triangle, self.add_mesh(first, &to_world, mesh))
+                (RunKind::Triangle, self.add_mesh(first, &to_world, &shared.scene.meshes[*mesh as usize]))
             }
         };
         let start = start.ok_or_else(|| error("this shape lies beyond the range of single precision"))?;
-        self.runs.push(Run { first, start: start as u32, kind, material });
+        let (smooth, uv) = (shared.smooth(shape, &to_world), shared.uv_map(shape, material, &to_world));
+        self.runs.push(Run { first, start: start as u32, kind, material, smooth, uv });
         Ok(())
     }
 
@@ -121,6 +135,33 @@ impl Geometry {
         let corners = Bounds::of_points(self.triangles.iter().flatten().copied());
         let all = self.solids.iter().fold(corners, |b, s| b.union(&s.bounds));
         (!all.is_empty()).then_some(all)
+    }
+}
+
+impl Shared<'_> {
+    /// The normals of a mesh that is to look smooth, worked out once for all its copies.
+    fn smooth(&mut self, shape: &ShapeSpec, to_world: &Affine) -> Option<Box<Smooth>> {
+        let &ShapeSpec::Mesh { mesh: index, smooth: true } = shape else { return None };
+        let mesh = &self.scene.meshes[index as usize];
+        let normals = self.normals.entry(index).or_insert_with(|| mesh.smooth_normals().into());
+        let (mesh, normals) = (Arc::clone(mesh), Arc::clone(normals));
+        Some(Box::new(Smooth { mesh, normals, to_world: *to_world, order: winding(to_world) }))
+    }
+
+    /// Where pictures go on a shape, if there are any on its material.
+    fn uv_map(&self, shape: &ShapeSpec, material: u32, to_world: &Affine) -> Option<Box<UvMap>> {
+        let order = winding(to_world);
+        let pictured = self.pictured.get(material as usize).is_some_and(|&pictured| pictured);
+        pictured.then(|| {
+            Box::new(match shape {
+                ShapeSpec::Sphere { center, .. } => UvMap::Round { center: *center, to_world: *to_world },
+                ShapeSpec::Plane { normal, .. } => UvMap::of_plane(*normal, to_world),
+                ShapeSpec::Triangle { .. } => UvMap::Corners { mesh: None, order },
+                ShapeSpec::Mesh { mesh, .. } => {
+                    UvMap::of_mesh(&self.scene.meshes[*mesh as usize], to_world, order)
+                }
+            })
+        })
     }
 }
 

@@ -7,9 +7,14 @@
 //! map stay what they are; only a sphere under a general map keeps its matrix.
 
 mod build;
+mod smooth;
 mod surface;
+#[cfg(test)]
+mod tests;
+mod uv;
 
 pub use build::GeometryError;
+pub use smooth::facing;
 pub use surface::Surface;
 
 use crate::counters::Counters;
@@ -18,6 +23,8 @@ use crate::shape::ellipsoid::Ellipsoid;
 use crate::shape::plane::{self, Plane};
 use crate::shape::sphere::{self, Sphere};
 use crate::shape::{ExactRay, triangle};
+use smooth::Smooth;
+use uv::UvMap;
 
 /// What traversal carries of a hit: the least from which all else can be worked out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +90,10 @@ pub(crate) struct Run {
     pub kind: RunKind,
     /// Index into the scene's materials.
     pub material: u32,
+    /// Normals to interpolate, if it is a smooth mesh.
+    pub smooth: Option<Box<Smooth>>,
+    /// Where pictures go on it, if its material has any.
+    pub uv: Option<Box<UvMap>>,
 }
 
 /// The arrays that primitives are kept in.

@@ -1,6 +1,6 @@
 //! The point that a ray found: worked out once, for the hit that counts.
 
-use super::{Geometry, Hit, RunKind, SolidShape};
+use super::{Geometry, Hit, RunKind, SolidShape, facing};
 use crate::math::{DVec3, UNIT_ROUNDOFF, Vec3, sum3};
 use crate::ray::Ray;
 use crate::shape::{plane, sphere, triangle};
@@ -12,15 +12,33 @@ pub struct Surface {
     pub point: DVec3,
     /// How far the true surface may be from `point` rounded to `f32`, along each axis.
     pub error: DVec3,
-    /// Unit normal on the side that the shape calls outside (front of a triangle).
+    /// Unit normal on the side that the shape calls outside (front of a triangle), to shade
+    /// with. That of a smooth mesh is interpolated, and faces whoever the surface itself faces.
     pub normal: Vec3,
-    /// The same in `f64`, for deciding sides.
+    /// The normal of the surface itself in `f64`, for deciding sides.
     pub geometric_normal: DVec3,
     /// Index into the scene's materials.
     pub material: u32,
+    /// Number of the primitive in file order.
+    pub primitive: u32,
+    /// Barycentric weights of a triangle's second and third corner; 0 for other primitives.
+    pub weights: [f32; 2],
 }
 
 impl Surface {
+    /// Whether it is shaded with another normal than its own.
+    #[inline]
+    pub fn is_smooth(&self) -> bool {
+        self.normal != self.geometric_normal.as_vec3()
+    }
+
+    /// The unit normal to shade with in `f64`: to the last bit the geometric one, unless the
+    /// surface is smooth.
+    #[inline]
+    pub fn shading_normal(&self) -> DVec3 {
+        if self.is_smooth() { self.normal.as_dvec3().normalize() } else { self.geometric_normal }
+    }
+
     /// Where a ray that leaves along `direction` starts: beside the surface, on the side that
     /// the direction points to, as near as `f32` can tell apart.
     ///
@@ -71,12 +89,23 @@ impl Geometry {
                 (point, plane.normal, point.abs().max_element() + plane.offset.abs())
             }
         };
+        let weights = [hit.u, hit.v];
+        let shading = match &run.smooth {
+            None => normal,
+            Some(smooth) => {
+                let sight = ray.direction.as_dvec3().normalize();
+                let interpolated = smooth.normal((hit.primitive - run.first) as usize, weights, normal);
+                facing(interpolated, sight, sight.dot(normal) > 0.0)
+            }
+        };
         Surface {
             point,
             error: error_bound(point, scale),
-            normal: normal.as_vec3(),
+            normal: shading.as_vec3(),
             geometric_normal: normal,
             material: run.material,
+            primitive: hit.primitive,
+            weights,
         }
     }
 

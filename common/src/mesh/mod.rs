@@ -1,6 +1,7 @@
 //! Triangle meshes in their own space, and reading them.
 
 mod area;
+mod normals;
 mod obj;
 
 pub use area::has_area;

@@ -57,8 +57,10 @@ impl Default for PhongMaterial {
 pub struct ImageTexture {
     /// The picture file, already resolved against the scene's folder.
     pub file: PathBuf,
-    /// Repetitions along u and v.
+    /// How many stand side by side in a unit of u and of v; negative mirrors.
     pub scale: [f32; 2],
+    /// Where its keyword stands.
+    pub position: Position,
 }
 
 /// A pattern p ↦ [0, 1] in space and the two materials it blends.

@@ -75,7 +75,7 @@ pub fn polygons(studio: &Studio, theta: u32, phi: u32) -> Tessellation {
 /// The preview with these flags.
 pub fn preview(studio: &Studio, flags: &str) -> Film {
     let args = args(flags);
-    args.preview_film(studio, &args.tessellate(studio).expect("flags are sound"))
+    args.preview_film(studio, &studio.scene, &args.tessellate(studio).expect("flags are sound"))
 }
 
 /// The ray-traced picture of assignment 3 with these flags.

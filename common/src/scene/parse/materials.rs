@@ -83,6 +83,6 @@ impl<'a> Parser<'a> {
                 _ => scale = self.numbers(field)?.map(|s| s as f32),
             }
         }
-        Ok(ImageTexture { file: block.require(file, "file")?, scale })
+        Ok(ImageTexture { file: block.require(file, "file")?, scale, position: keyword.position })
     }
 }
