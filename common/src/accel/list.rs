@@ -126,7 +126,12 @@ impl Job<'_> {
         if possible == 0 {
             return best;
         }
-        decide(self.ray, self.interval, block, possible, best, counters)
+        counters.exact_tests += u64::from(possible.count_ones());
+        let (ray, interval) = (self.ray, self.interval);
+        simd.vectorize(
+            #[inline(always)]
+            || decide(ray, interval, block, possible, best),
+        )
     }
 
     /// Whether any triangle of the blocks is hit.
@@ -153,23 +158,28 @@ impl Job<'_> {
         counters.intersections += len as u64;
         let verdict = block.judge(simd, self.filter, self.interval);
         let possible = verdict.possible & used(len);
-        possible != 0
-            && (verdict.certain != 0
-                || decide(self.ray, self.interval, block, possible, None, counters).is_some())
+        if possible == 0 || verdict.certain != 0 {
+            return possible != 0;
+        }
+        counters.exact_tests += u64::from(possible.count_ones());
+        let (ray, interval) = (self.ray, self.interval);
+        let hit = simd.vectorize(
+            #[inline(always)]
+            || decide(ray, interval, block, possible, None),
+        );
+        hit.is_some()
     }
 }
 
 /// The exact test for the lanes that the filter left.
-#[inline(never)]
+#[inline(always)]
 fn decide(
     ray: &Ray,
     interval: Interval,
     block: &TriangleBlock,
     mut lanes: u32,
     mut best: Option<Hit>,
-    counters: &mut Counters,
 ) -> Option<Hit> {
-    counters.exact_tests += u64::from(lanes.count_ones());
     let exact = ExactRay::new(ray);
     while lanes != 0 {
         let lane = lanes.trailing_zeros() as usize;

@@ -22,6 +22,35 @@ pub trait Accel: Sync {
     /// free to stop at the first hit it meets.
     fn any(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> bool;
 
+    /// The first hits of many rays, in their order. Structures that follow several rays at a time
+    /// gain where neighbours in the slice run alongside each other.
+    ///
+    /// # Panics
+    /// If the slices differ in length.
+    fn nearest_many(
+        &self,
+        rays: &[Ray],
+        interval: Interval,
+        hits: &mut [Option<Hit>],
+        counters: &mut Counters,
+    ) {
+        assert_eq!(rays.len(), hits.len());
+        for (ray, hit) in rays.iter().zip(hits) {
+            *hit = self.nearest(ray, interval, counters);
+        }
+    }
+
+    /// Whether each of many rays hits anything, in their order.
+    ///
+    /// # Panics
+    /// If the slices differ in length.
+    fn any_many(&self, rays: &[Ray], interval: Interval, hit: &mut [bool], counters: &mut Counters) {
+        assert_eq!(rays.len(), hit.len());
+        for (ray, hit) in rays.iter().zip(hit) {
+            *hit = self.any(ray, interval, counters);
+        }
+    }
+
     /// The geometry that it was built for.
     fn geometry(&self) -> &Geometry;
 

@@ -232,7 +232,7 @@ impl Geometry {
 }
 
 /// Tests one triangle; `primitive` is put into the hit as it is.
-#[inline]
+#[inline(always)]
 pub fn hit_triangle(vertices: &[Vec3; 3], primitive: u32, ray: &ExactRay, interval: Interval) -> Option<Hit> {
     let hit = triangle::intersect(ray, vertices)?;
     interval.contains(hit.t).then_some(Hit { t: hit.t, primitive, u: hit.u, v: hit.v })

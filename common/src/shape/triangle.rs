@@ -33,53 +33,127 @@ const EDGE_ERROR: f64 = 1.0 / (1u64 << 47) as f64;
 ///
 /// `None` if it passes outside, edge-on, or the triangle has no area. Both sides count. An edge
 /// that the line meets exactly belongs to exactly one of the two triangles that share it.
-#[inline]
+#[inline(always)]
 pub fn intersect(ray: &ExactRay, vertices: &[Vec3; 3]) -> Option<TriangleHit> {
-    let corners = vertices.map(|v| v.as_dvec3());
-    let [a, b, c] = corners.map(|v| v - ray.origin);
-    let cross = [b.cross(c), c.cross(a), a.cross(b)];
-    let mut weight = cross.map(|n| dot(ray.direction, n));
-
-    let reach = a.abs().max(b.abs()).max(c.abs()).max_element();
-    let error = EDGE_ERROR * ray.reach * reach * reach;
-    let certain = weight.iter().all(|w| w.abs() > error);
-    let side = if certain { weight } else { exact_sides(ray, &corners, &mut weight) };
-    let front = side.iter().all(|&s| s < 0.0);
-    let back = side.iter().all(|&s| s > 0.0);
+    let corner = Corners::of(ray, vertices);
+    let mut weight = corner.edges(ray);
+    let error = EDGE_ERROR * ray.reach * corner.reach * corner.reach;
+    let certain = weight[0].abs() > error && weight[1].abs() > error && weight[2].abs() > error;
+    if !certain {
+        return intersect_exactly(ray, vertices, &corner);
+    }
+    let front = weight[0] < 0.0 && weight[1] < 0.0 && weight[2] < 0.0;
+    let back = weight[0] > 0.0 && weight[1] > 0.0 && weight[2] > 0.0;
     if !front && !back {
         return None;
     }
-    let sum = |w: &[f64; 3]| w[0] + w[1] + w[2];
-    let mut total = sum(&weight);
     // Certain signs are not yet precise values: in a thin triangle the weights' error moves the
     // point along its length, by at most `error · size / total`.
-    let size = (b - a).abs().max((c - a).abs()).max_element();
-    if certain && error * size > total.abs() * reach * UNIT_ROUNDOFF {
-        exact_sides(ray, &corners, &mut weight);
-        total = sum(&weight);
+    let total = weight[0] + weight[1] + weight[2];
+    if error * corner.size() > total.abs() * corner.reach * UNIT_ROUNDOFF {
+        exact_sides(ray, vertices, &mut weight);
     }
-    let [l0, l1, l2] = weight.map(|w| w / total);
-    // A convex combination of the corners' own parameters: t cannot leave the triangle's range,
-    // however grazing the ray.
-    let along = |p: DVec3| dot(p, ray.direction);
-    let t = sum3(l0 * along(a), l1 * along(b), l2 * along(c)) / ray.length_squared;
-    Some(TriangleHit { t: t as f32, u: l1 as f32, v: l2 as f32 })
+    Some(corner.hit(ray, &weight))
 }
 
-#[inline]
-fn dot(a: DVec3, b: DVec3) -> f64 {
-    crate::math::dot3(a, b)
+/// The same where rounding could hide a sign.
+#[cold]
+#[inline(never)]
+fn intersect_exactly(ray: &ExactRay, vertices: &[Vec3; 3], corner: &Corners) -> Option<TriangleHit> {
+    let mut weight = [0.0; 4];
+    let side = exact_sides(ray, vertices, &mut weight);
+    let inside = side.iter().all(|&s| s < 0.0) || side.iter().all(|&s| s > 0.0);
+    inside.then(|| corner.hit(ray, &weight))
+}
+
+/// Four numbers of which three are used, one for each corner: loops over them become vector
+/// code, without fused operations, so that every processor gets the same bits.
+type Lanes = [f64; 4];
+
+/// A triangle as its ray sees it.
+struct Corners {
+    /// Corner less origin, `from_origin[axis][corner]`.
+    from_origin: [Lanes; 3],
+    /// Largest magnitude therein.
+    reach: f64,
+}
+
+impl Corners {
+    #[inline(always)]
+    fn of(ray: &ExactRay, vertices: &[Vec3; 3]) -> Self {
+        let mut from_origin = [[0.0; 4]; 3];
+        let mut reach = 0.0;
+        for axis in 0..3 {
+            for k in 0..4 {
+                from_origin[axis][k] = f64::from(vertices[k % 3][axis]) - ray.origin[axis];
+            }
+        }
+        for k in 0..3 {
+            for lanes in &from_origin {
+                reach = greater(reach, lanes[k].abs());
+            }
+        }
+        Self { from_origin, reach }
+    }
+
+    /// Edge function d · (p × q) of the edge opposite each corner.
+    #[inline(always)]
+    fn edges(&self, ray: &ExactRay) -> Lanes {
+        let turned = |by: usize| {
+            let turn = |lanes: &Lanes| [lanes[by], lanes[(by + 1) % 3], lanes[(by + 2) % 3], lanes[by]];
+            [turn(&self.from_origin[0]), turn(&self.from_origin[1]), turn(&self.from_origin[2])]
+        };
+        let (p, q) = (turned(1), turned(2));
+        let mut weight = [0.0; 4];
+        for k in 0..4 {
+            let x = p[1][k] * q[2][k] - p[2][k] * q[1][k];
+            let y = p[2][k] * q[0][k] - p[0][k] * q[2][k];
+            let z = p[0][k] * q[1][k] - p[1][k] * q[0][k];
+            weight[k] = sum3(ray.direction.x * x, ray.direction.y * y, ray.direction.z * z);
+        }
+        weight
+    }
+
+    /// Largest side of the box around the two edges at the first corner.
+    #[inline(always)]
+    fn size(&self) -> f64 {
+        let side = |lanes: &Lanes| greater((lanes[1] - lanes[0]).abs(), (lanes[2] - lanes[0]).abs());
+        let [x, y, z] = &self.from_origin;
+        greater(side(x), greater(side(y), side(z)))
+    }
+
+    /// The point of these weights: a convex combination of the corners' own parameters, so that
+    /// t cannot leave the triangle's range, however grazing the ray.
+    #[inline(always)]
+    fn hit(&self, ray: &ExactRay, weight: &Lanes) -> TriangleHit {
+        let total = weight[0] + weight[1] + weight[2];
+        let mut share = [0.0; 4];
+        let mut part = [0.0; 4];
+        for k in 0..4 {
+            let [x, y, z] = &self.from_origin;
+            let d = ray.direction;
+            share[k] = weight[k] / total;
+            part[k] = share[k] * sum3(x[k] * d.x, y[k] * d.y, z[k] * d.z);
+        }
+        let t = sum3(part[0], part[1], part[2]) / ray.length_squared;
+        TriangleHit { t: t as f32, u: share[1] as f32, v: share[2] as f32 }
+    }
+}
+
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// Edge functions without rounding; `weight` receives their values, the result their signs
 /// with ties broken. Both have one sign throughout, or the triangle is missed.
 #[cold]
 #[inline(never)]
-fn exact_sides(ray: &ExactRay, corners: &[DVec3; 3], weight: &mut [f64; 3]) -> [f64; 3] {
+fn exact_sides(ray: &ExactRay, vertices: &[Vec3; 3], weight: &mut Lanes) -> [f64; 3] {
     let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
     std::array::from_fn(|i| {
-        let from = corners[(i + 1) % 3].to_array();
-        let to = corners[(i + 2) % 3].to_array();
+        let corner = |k: usize| vertices[k % 3].as_dvec3().to_array();
+        let (from, to) = (corner(i + 1), corner(i + 2));
         weight[i] = exact::edge(o, d, from, to);
         if weight[i] == 0.0 { exact::edge_tie(d, from, to) } else { weight[i] }
     })

@@ -122,9 +122,9 @@ impl TriangleBlock {
         let v0 = along - v1 - v2;
 
         let edge = size(e1).max(size(e2));
-        let floor = f32x8::splat(simd, filter.floor);
-        let weight_error = edge.mul_add(f32x8::splat(simd, filter.weight_error), floor);
-        let rest_error = edge.mul_add(f32x8::splat(simd, filter.weight_error * 4.0), floor);
+        let floor = f32x8::splat(simd, filter.errors.floor);
+        let weight_error = edge.mul_add(f32x8::splat(simd, filter.errors.weight), floor);
+        let rest_error = edge.mul_add(f32x8::splat(simd, filter.errors.weight * 4.0), floor);
         // All weights of one sign: inside; certainly mixed signs: outside.
         let low = v1.min(v2);
         let high = v1.max(v2);
@@ -133,8 +133,8 @@ impl TriangleBlock {
         let outside = some_below & some_above;
 
         let area = edge * edge;
-        let along_error = area.mul_add(f32x8::splat(simd, filter.along_error), floor);
-        let depth_error = area.mul_add(f32x8::splat(simd, filter.depth_error), floor);
+        let along_error = area.mul_add(f32x8::splat(simd, filter.errors.along), floor);
+        let depth_error = area.mul_add(f32x8::splat(simd, filter.errors.depth), floor);
         let size = along.abs();
         let height = along.simd_lt(f32x8::splat(simd, 0.0)).select(-height, height);
         let (min, max) = filter.clamp(interval);
@@ -194,39 +194,64 @@ fn size<S: Simd>(a: [f32x8<S>; 3]) -> f32x8<S> {
 /// A ray prepared for [`TriangleBlock::judge`].
 #[derive(Clone, Copy, Debug)]
 pub struct Filter {
-    origin: [f32; 3],
-    direction: [f32; 3],
+    /// The ray's origin.
+    pub origin: [f32; 3],
+    /// Its direction.
+    pub direction: [f32; 3],
+    /// How wrong the filter may be.
+    pub errors: Errors,
+}
+
+/// What bounds the errors of the filter for one ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Errors {
     /// Where the ray has left the bounds for certain, in units of t; never NaN.
     pub reach: f32,
-    weight_error: f32,
-    along_error: f32,
-    depth_error: f32,
-    floor: f32,
+    /// 64u·M·D, to be multiplied with E.
+    pub weight: f32,
+    /// 64u·D, to be multiplied with E².
+    pub along: f32,
+    /// 256u·M, to be multiplied with E².
+    pub depth: f32,
+    /// Of underflow.
+    pub floor: f32,
 }
 
 impl Filter {
     /// Prepares a usable ray for triangles that lie within `bounds`.
     #[inline(always)]
     pub fn new(ray: &Ray, bounds: &Bounds) -> Self {
-        let (origin, direction) = (Vec3A::from(ray.origin), Vec3A::from(ray.direction));
+        let origin = Vec3A::from(ray.origin);
         let sides = (Vec3A::from(bounds.min) - origin).abs().max((Vec3A::from(bounds.max) - origin).abs());
-        let far = sides.max_element() * (1.0 + 4.0 * UNIT);
-        let step = direction.abs().max_element();
-        let largest = far.max(step).max(1.0);
+        let step = Vec3A::from(ray.direction).abs().max_element();
         Self {
             origin: ray.origin.to_array(),
             direction: ray.direction.to_array(),
-            reach: far / step * 1.001,
-            weight_error: 64.0 * UNIT * far * step,
-            along_error: 64.0 * UNIT * step,
-            depth_error: 256.0 * UNIT * far,
-            floor: largest * largest * 2f32.powi(-120),
+            errors: Errors::new(sides.max_element(), step),
         }
     }
 
     /// The part of the interval in which the triangles are.
     #[inline(always)]
     fn clamp(&self, interval: Interval) -> (f32, f32) {
-        (interval.min.max(-self.reach), interval.max.min(self.reach))
+        (interval.min.max(-self.errors.reach), interval.max.min(self.errors.reach))
+    }
+}
+
+impl Errors {
+    /// For a ray whose direction has no component above `step`, and whose origin is no farther
+    /// than `far` from any triangle, along any axis, both as `f32` arithmetic has them.
+    #[inline(always)]
+    pub fn new(far: f32, step: f32) -> Self {
+        let far = far * (1.0 + 4.0 * UNIT);
+        let larger = if far > step { far } else { step };
+        let largest = if larger > 1.0 { larger } else { 1.0 };
+        Self {
+            reach: far / step * 1.001,
+            weight: 64.0 * UNIT * far * step,
+            along: 64.0 * UNIT * step,
+            depth: 256.0 * UNIT * far,
+            floor: largest * largest * 2f32.powi(-120),
+        }
     }
 }

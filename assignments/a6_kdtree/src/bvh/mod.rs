@@ -6,7 +6,10 @@
 //! blocks of eight triangles, as the list has them.
 
 mod binary;
-mod slabs;
+mod bundle;
+mod frustum;
+mod packet;
+mod single;
 mod split;
 mod stack;
 mod traverse;

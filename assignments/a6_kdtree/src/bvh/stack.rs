@@ -1,36 +1,55 @@
-//! Children still to be visited.
+//! Nodes with children still to be visited.
 
-use super::wide::{Child, WIDTH, WideNode};
+use super::wide::WIDTH;
 
-/// The nearest child on top. What does not fit the array waits in `spill`, farthest first;
-/// balanced trees never get there.
-pub struct Stack {
-    entries: [(f32, Child); STACK],
-    len: usize,
-    spill: Vec<(f32, Child)>,
+/// A node, and which of its children wait.
+#[derive(Clone, Copy)]
+pub struct Waiting {
+    /// Where the ray enters each child.
+    pub enter: [f32; WIDTH],
+    /// Index of the node.
+    pub node: usize,
+    /// A bit for each waiting child.
+    pub lanes: u32,
 }
 
-/// Entries kept beside the ray: three or four children may wait at each of eight levels.
-const STACK: usize = 32;
+/// One entry for each level on the way down. What does not fit the array waits in `spill`;
+/// balanced trees never get there.
+pub struct Stack {
+    entries: [Waiting; STACK],
+    len: usize,
+    spill: Vec<Waiting>,
+}
+
+/// Levels kept beside the ray: enough for eight to the sixteenth leaves of a balanced tree.
+const STACK: usize = 16;
 
 impl Stack {
     /// An empty stack.
     #[inline(always)]
     pub fn new() -> Self {
-        Self { entries: [(0.0, Child::NOTHING); STACK], len: 0, spill: Vec::new() }
+        let nothing = Waiting { enter: [0.0; WIDTH], node: 0, lanes: 0 };
+        Self { entries: [nothing; STACK], len: 0, spill: Vec::new() }
     }
 
-    /// The next child that is entered no later than `max`.
+    /// Puts a node on top; it stays only if children wait.
     #[inline(always)]
-    pub fn pop(&mut self, max: f32) -> Option<Child> {
-        while self.len > 0 || self.refill() {
-            self.len -= 1;
-            let (enter, child) = self.entries[self.len % STACK];
-            if enter <= max {
-                return Some(child);
-            }
+    pub fn push(&mut self, entry: &Waiting) {
+        if self.len == STACK {
+            self.spill_half();
         }
-        None
+        self.entries[self.len % STACK] = *entry;
+        self.len += usize::from(entry.lanes != 0);
+    }
+
+    /// Takes the last node.
+    #[inline(always)]
+    pub fn pop(&mut self) -> Option<Waiting> {
+        if self.len == 0 && !self.refill() {
+            return None;
+        }
+        self.len -= 1;
+        Some(self.entries[self.len % STACK])
     }
 
     #[cold]
@@ -55,39 +74,5 @@ impl Stack {
         self.entries[..self.len].copy_from_slice(&self.spill[keep..]);
         self.spill.truncate(keep);
         true
-    }
-
-    /// Takes the children that are met, at least one, and returns the one entered first.
-    #[inline(always)]
-    pub fn descend(&mut self, node: &WideNode, mut lanes: u32, enter: &[f32; WIDTH]) -> Child {
-        let lane = lanes.trailing_zeros() as usize % WIDTH;
-        lanes &= lanes - 1;
-        if lanes == 0 {
-            return node.child[lane];
-        }
-        let mut first = (enter[lane], node.child[lane]);
-        if self.len > STACK - WIDTH {
-            self.spill_half();
-        }
-        let base = self.len;
-        loop {
-            let lane = lanes.trailing_zeros() as usize % WIDTH;
-            lanes &= lanes - 1;
-            let mut later = (enter[lane], node.child[lane]);
-            if later.0 < first.0 {
-                std::mem::swap(&mut first, &mut later);
-            }
-            // Insertion below the top keeps the waiting ones in order.
-            let mut i = self.len;
-            while i > base && self.entries[(i - 1) % STACK].0 < later.0 {
-                self.entries[i % STACK] = self.entries[(i - 1) % STACK];
-                i -= 1;
-            }
-            self.entries[i % STACK] = later;
-            self.len += 1;
-            if lanes == 0 {
-                return first.1;
-            }
-        }
     }
 }

@@ -18,6 +18,8 @@ pub struct WideNode {
     pub side: [[[f32; WIDTH]; 2]; 3],
     /// What each box holds.
     pub child: [Child; WIDTH],
+    /// The axis along which the children stand in order of their centres.
+    pub axis: u32,
 }
 
 /// What a box holds: a node, a block, or a run of solids, packed into 32 bits.
@@ -124,8 +126,9 @@ impl<'g> Bvh<'g> {
         waiting.push((0, roots, 1));
         while let Some((place, seeds, depth)) = waiting.pop() {
             self.depth = self.depth.max(depth);
-            let children = open(trees, seeds);
+            let mut children = open(trees, seeds);
             let mut node = EMPTY_NODE;
+            node.axis = put_in_order(trees, &mut children) as u32;
             for (lane, &(tree, number)) in children.iter().enumerate() {
                 let (binary, tag) = &trees[tree];
                 let inner = &binary.nodes[number as usize];
@@ -184,9 +187,22 @@ fn open(trees: &[(Binary, u32)], mut seeds: Vec<Seed>) -> Vec<Seed> {
     seeds
 }
 
+/// Sorts nodes along the axis in which their centres differ most, and names it.
+fn put_in_order(trees: &[(Binary, u32)], seeds: &mut [Seed]) -> usize {
+    let center = |&(tree, number): &Seed| {
+        let bounds: &Bounds = &trees[tree].0.nodes[number as usize].bounds;
+        bounds.min + bounds.max
+    };
+    let spread = Bounds::of_points(seeds.iter().map(center)).size();
+    let axis = (0..3).fold(0, |best, axis| if spread[axis] > spread[best] { axis } else { best });
+    seeds.sort_by(|a, b| center(a)[axis].total_cmp(&center(b)[axis]));
+    axis
+}
+
 const EMPTY_NODE: WideNode = WideNode {
     side: [[[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]]; 3],
     child: [Child::NOTHING; WIDTH],
+    axis: 0,
 };
 
 impl WideNode {

@@ -1,0 +1,214 @@
+//! Up to eight rays side by side, prepared for boxes and triangles.
+//!
+//! Where a ray meets a side is computed in single precision and widened by a bound of the error,
+//! so that a box is passed by only if the exact ray passes it by. With u = 2⁻²⁴, sides |s| ≤ B
+//! and origin o along one axis, s·i − o·i carries at most u·(B + |o|)·|i| from the inverse, the
+//! two products and the difference each; 8u·(B + |o|)·|i| is taken, and folded into o·i once for
+//! each ray.
+//!
+//! Everything is written as loops over the rays, which the compiler turns into vector code.
+
+use super::wide::{WIDTH, WideNode};
+use common::math::{Bounds, Interval};
+use common::ray::Ray;
+use common::shape::triangle_block::{Errors, Filter};
+use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+
+/// Rays in a packet.
+pub const RAYS: usize = 8;
+
+/// One number for each ray.
+pub type Lanes = [f32; RAYS];
+
+/// Beyond these sizes products could overflow; such rays visit everything.
+const ORDINARY: f32 = (1u128 << 100) as f32;
+
+/// Largest product of a length and an inverse: far beyond any t, far below overflow.
+const LARGEST: f32 = ORDINARY * (1u64 << 20) as f32;
+
+/// The rays, one axis after the other, and what their tests want to know.
+#[repr(align(32))]
+pub struct Packet {
+    /// Origins, by axis.
+    pub origin: [Lanes; 3],
+    /// Directions, by axis.
+    pub direction: [Lanes; 3],
+    /// Inverse of the direction; large but finite where the ray runs along the slab.
+    pub inverse: [Lanes; 3],
+    /// Bound of the error of where the ray meets a side, in units of t.
+    pub error: [Lanes; 3],
+    /// Origin times inverse, made larger by the error …
+    near_offset: [Lanes; 3],
+    /// … and smaller.
+    far_offset: [Lanes; 3],
+    /// Bounds of the triangle filter's errors.
+    errors: [Errors; RAYS],
+    /// A bit for every axis along which the high side comes first.
+    pub backward: [u32; RAYS],
+}
+
+impl Packet {
+    /// Prepares one to eight usable rays for a tree within `bounds`; unused places repeat the
+    /// last.
+    #[inline(always)]
+    pub fn new(rays: &[Ray], bounds: &Bounds) -> Self {
+        const ZERO: [Lanes; 3] = [[0.0; RAYS]; 3];
+        let nothing = Errors { reach: 0.0, weight: 0.0, along: 0.0, depth: 0.0, floor: 0.0 };
+        let mut packet = Self {
+            origin: ZERO,
+            direction: ZERO,
+            inverse: ZERO,
+            error: ZERO,
+            near_offset: ZERO,
+            far_offset: ZERO,
+            errors: [nothing; RAYS],
+            backward: [0; RAYS],
+        };
+        for lane in 0..RAYS {
+            let ray = &rays[if lane < rays.len() { lane } else { rays.len() - 1 }];
+            for axis in 0..3 {
+                packet.origin[axis][lane] = ray.origin[axis];
+                packet.direction[axis][lane] = ray.direction[axis];
+            }
+        }
+        let (mut far, mut step) = ([0.0; RAYS], [0.0; RAYS]);
+        for axis in 0..3 {
+            packet.prepare(axis, bounds.min[axis], bounds.max[axis], &mut far, &mut step);
+        }
+        for lane in 0..RAYS {
+            packet.errors[lane] = Errors::new(far[lane], step[lane]);
+            if !(packet.errors[lane].reach < ORDINARY) {
+                packet.give_up(lane);
+            }
+        }
+        packet
+    }
+
+    #[inline(always)]
+    fn prepare(&mut self, axis: usize, min: f32, max: f32, far: &mut Lanes, step: &mut Lanes) {
+        let side = greater(min.abs(), max.abs());
+        for lane in 0..RAYS {
+            let (o, d) = (self.origin[axis][lane], self.direction[axis][lane]);
+            far[lane] = greater(far[lane], greater((min - o).abs(), (max - o).abs()));
+            step[lane] = greater(step[lane], d.abs());
+            let size = side + o.abs();
+            // A ray along the slab has no inverse. A large one does for it if the result is
+            // widened by more than all of the ray that matters.
+            let least = greater(size, 1.0) * (1.0 / LARGEST);
+            let inverse = (1.0 / greater(d.abs(), least)).copysign(d);
+            let widened = if d.abs() < least { 2.0 * ORDINARY } else { f32::MIN_POSITIVE };
+            let error = size * inverse.abs() * 2f32.powi(-21) + widened;
+            self.inverse[axis][lane] = inverse;
+            self.error[axis][lane] = error;
+            self.near_offset[axis][lane] = o * inverse + error;
+            self.far_offset[axis][lane] = o * inverse - error;
+            self.backward[lane] |= u32::from(inverse < 0.0) << axis;
+        }
+    }
+
+    /// Lets a ray meet every box.
+    #[cold]
+    fn give_up(&mut self, lane: usize) {
+        for axis in 0..3 {
+            self.inverse[axis][lane] = 0.0;
+            self.error[axis][lane] = f32::INFINITY;
+            self.near_offset[axis][lane] = f32::INFINITY;
+            self.far_offset[axis][lane] = f32::NEG_INFINITY;
+        }
+    }
+
+    /// Whether a ray is no ordinary one, see [`ORDINARY`].
+    pub fn gave_up(&self, lane: usize) -> bool {
+        self.error[0][lane] == f32::INFINITY
+    }
+
+    /// One ray, prepared for triangles.
+    #[inline(always)]
+    pub fn filter(&self, lane: usize) -> Filter {
+        let [ox, oy, oz] = &self.origin;
+        let [dx, dy, dz] = &self.direction;
+        Filter {
+            origin: [ox[lane], oy[lane], oz[lane]],
+            direction: [dx[lane], dy[lane], dz[lane]],
+            errors: self.errors[lane],
+        }
+    }
+
+    /// By how much of t two hits must differ for their order to be certain, beside the rounding
+    /// of t itself; see [`common::shape::ExactRay::margin`].
+    #[inline(always)]
+    pub fn margin(&self, lane: usize) -> f32 {
+        self.errors[lane].reach * 2f32.powi(-20)
+    }
+
+    /// A bit for every child whose box one of the rays may meet inside the interval, and where
+    /// it enters them. Written without closures, see [`common::simd`].
+    #[inline(always)]
+    pub fn meet<S: Simd>(
+        &self,
+        simd: S,
+        lane: usize,
+        node: &WideNode,
+        interval: Interval,
+        enter: &mut [f32; WIDTH],
+    ) -> u32 {
+        let (near_x, far_x) = self.slab(simd, lane, node, 0);
+        let (near_y, far_y) = self.slab(simd, lane, node, 1);
+        let (near_z, far_z) = self.slab(simd, lane, node, 2);
+        let near = near_x.max(near_y).max(near_z.max(f32x8::splat(simd, interval.min)));
+        let far = far_x.min(far_y).min(far_z.min(f32x8::splat(simd, interval.max)));
+        near.store_slice(enter);
+        near.simd_le(far).to_bitmask() as u32
+    }
+
+    #[inline(always)]
+    fn slab<S: Simd>(&self, simd: S, lane: usize, node: &WideNode, axis: usize) -> (f32x8<S>, f32x8<S>) {
+        let inverse = f32x8::splat(simd, self.inverse[axis][lane]);
+        let sides = &node.side[axis];
+        let first = (self.backward[lane] >> axis & 1) as usize;
+        let near = f32x8::from_slice(simd, &sides[first]);
+        let far = f32x8::from_slice(simd, &sides[first ^ 1]);
+        (
+            near.mul_sub(inverse, f32x8::splat(simd, self.near_offset[axis][lane])),
+            far.mul_sub(inverse, f32x8::splat(simd, self.far_offset[axis][lane])),
+        )
+    }
+
+    /// A bit for every ray that may meet the box of a node's child between `min` and its own
+    /// entry of `max`. All rays must have the directions' signs `backward`.
+    #[inline(always)]
+    pub fn rays_meeting<S: Simd>(
+        &self,
+        simd: S,
+        node: &WideNode,
+        child: usize,
+        backward: u32,
+        min: f32,
+        max: &Lanes,
+    ) -> u32 {
+        let mut near = f32x8::splat(simd, min);
+        let mut far = f32x8::from_slice(simd, max);
+        for axis in 0..3 {
+            let first = (backward >> axis & 1) as usize;
+            let inverse = f32x8::from_slice(simd, &self.inverse[axis]);
+            let enter = f32x8::splat(simd, node.side[axis][first][child]);
+            let leave = f32x8::splat(simd, node.side[axis][first ^ 1][child]);
+            near = near.max(enter.mul_sub(inverse, f32x8::from_slice(simd, &self.near_offset[axis])));
+            far = far.min(leave.mul_sub(inverse, f32x8::from_slice(simd, &self.far_offset[axis])));
+        }
+        near.simd_le(far).to_bitmask() as u32
+    }
+}
+
+/// The one of some children, a bit for each, that is entered first by the order of centres
+/// along the node's axis, for a ray of these signs.
+#[inline(always)]
+pub fn first_child(lanes: u32, axis: u32, backward: u32) -> usize {
+    let (low, high) = (lanes.trailing_zeros(), 31 - lanes.leading_zeros());
+    (if backward >> axis & 1 == 0 { low } else { high }) as usize % WIDTH
+}
+
+#[inline(always)]
+fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
