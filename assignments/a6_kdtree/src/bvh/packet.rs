@@ -18,7 +18,7 @@ use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 pub const RAYS: usize = 8;
 
 /// One number for each ray.
-pub type Lanes = [f32; RAYS];
+pub type Lanes<const N: usize = RAYS> = [f32; N];
 
 /// Beyond these sizes products could overflow; such rays visit everything.
 const ORDINARY: f32 = (1u128 << 100) as f32;
@@ -28,69 +28,69 @@ const LARGEST: f32 = ORDINARY * (1u64 << 20) as f32;
 
 /// The rays, one axis after the other, and what their tests want to know.
 #[repr(align(32))]
-pub struct Packet {
+pub struct Packet<const N: usize = RAYS> {
     /// Origins, by axis.
-    pub origin: [Lanes; 3],
+    pub origin: [Lanes<N>; 3],
     /// Directions, by axis.
-    pub direction: [Lanes; 3],
+    pub direction: [Lanes<N>; 3],
     /// Inverse of the direction; large but finite where the ray runs along the slab.
-    pub inverse: [Lanes; 3],
+    pub inverse: [Lanes<N>; 3],
     /// Bound of the error of where the ray meets a side, in units of t.
-    pub error: [Lanes; 3],
+    pub error: [Lanes<N>; 3],
     /// Origin times inverse, made larger by the error …
-    near_offset: [Lanes; 3],
+    near_offset: [Lanes<N>; 3],
     /// … and smaller.
-    far_offset: [Lanes; 3],
-    /// Bounds of the triangle filter's errors.
-    errors: [Errors; RAYS],
+    far_offset: [Lanes<N>; 3],
+    /// Farthest any triangle can be along any axis, and largest component of the direction.
+    far: Lanes<N>,
+    step: Lanes<N>,
     /// A bit for every axis along which the high side comes first.
-    pub backward: [u32; RAYS],
+    pub backward: [u32; N],
 }
 
-impl Packet {
-    /// Prepares one to eight usable rays for a tree within `bounds`; unused places repeat the
-    /// last.
+impl<const N: usize> Packet<N> {
+    /// Prepares one to `N` usable rays for a tree within `bounds`; unused places repeat the last.
     #[inline(always)]
     pub fn new(rays: &[Ray], bounds: &Bounds) -> Self {
-        const ZERO: [Lanes; 3] = [[0.0; RAYS]; 3];
-        let nothing = Errors { reach: 0.0, weight: 0.0, along: 0.0, depth: 0.0, floor: 0.0 };
+        let zero = [[0.0; N]; 3];
         let mut packet = Self {
-            origin: ZERO,
-            direction: ZERO,
-            inverse: ZERO,
-            error: ZERO,
-            near_offset: ZERO,
-            far_offset: ZERO,
-            errors: [nothing; RAYS],
-            backward: [0; RAYS],
+            origin: zero,
+            direction: zero,
+            inverse: zero,
+            error: zero,
+            near_offset: zero,
+            far_offset: zero,
+            far: [0.0; N],
+            step: [0.0; N],
+            backward: [0; N],
         };
-        for lane in 0..RAYS {
+        for lane in 0..N {
             let ray = &rays[if lane < rays.len() { lane } else { rays.len() - 1 }];
             for axis in 0..3 {
                 packet.origin[axis][lane] = ray.origin[axis];
                 packet.direction[axis][lane] = ray.direction[axis];
             }
         }
-        let (mut far, mut step) = ([0.0; RAYS], [0.0; RAYS]);
         for axis in 0..3 {
-            packet.prepare(axis, bounds.min[axis], bounds.max[axis], &mut far, &mut step);
+            packet.prepare(axis, bounds.min[axis], bounds.max[axis]);
         }
-        for lane in 0..RAYS {
-            packet.errors[lane] = Errors::new(far[lane], step[lane]);
-            if !(packet.errors[lane].reach < ORDINARY) {
-                packet.give_up(lane);
-            }
+        let mut ordinary = true;
+        for lane in 0..N {
+            ordinary &= packet.far[lane] < ORDINARY * packet.step[lane];
+        }
+        if !ordinary {
+            packet.give_up();
         }
         packet
     }
 
     #[inline(always)]
-    fn prepare(&mut self, axis: usize, min: f32, max: f32, far: &mut Lanes, step: &mut Lanes) {
+    fn prepare(&mut self, axis: usize, min: f32, max: f32) {
         let side = greater(min.abs(), max.abs());
-        for lane in 0..RAYS {
+        for lane in 0..N {
             let (o, d) = (self.origin[axis][lane], self.direction[axis][lane]);
-            far[lane] = greater(far[lane], greater((min - o).abs(), (max - o).abs()));
-            step[lane] = greater(step[lane], d.abs());
+            self.far[lane] = greater(self.far[lane], greater((min - o).abs(), (max - o).abs()));
+            self.step[lane] = greater(self.step[lane], d.abs());
             let size = side + o.abs();
             // A ray along the slab has no inverse. A large one does for it if the result is
             // widened by more than all of the ray that matters.
@@ -106,20 +106,13 @@ impl Packet {
         }
     }
 
-    /// Lets a ray meet every box.
+    /// Lets all rays meet every box.
     #[cold]
-    fn give_up(&mut self, lane: usize) {
-        for axis in 0..3 {
-            self.inverse[axis][lane] = 0.0;
-            self.error[axis][lane] = f32::INFINITY;
-            self.near_offset[axis][lane] = f32::INFINITY;
-            self.far_offset[axis][lane] = f32::NEG_INFINITY;
-        }
-    }
-
-    /// Whether a ray is no ordinary one, see [`ORDINARY`].
-    pub fn gave_up(&self, lane: usize) -> bool {
-        self.error[0][lane] == f32::INFINITY
+    fn give_up(&mut self) {
+        self.inverse = [[0.0; N]; 3];
+        self.error = [[f32::INFINITY; N]; 3];
+        self.near_offset = [[f32::INFINITY; N]; 3];
+        self.far_offset = [[f32::NEG_INFINITY; N]; 3];
     }
 
     /// One ray, prepared for triangles.
@@ -130,7 +123,7 @@ impl Packet {
         Filter {
             origin: [ox[lane], oy[lane], oz[lane]],
             direction: [dx[lane], dy[lane], dz[lane]],
-            errors: self.errors[lane],
+            errors: Errors::new(self.far[lane], self.step[lane]),
         }
     }
 
@@ -138,7 +131,7 @@ impl Packet {
     /// of t itself; see [`common::shape::ExactRay::margin`].
     #[inline(always)]
     pub fn margin(&self, lane: usize) -> f32 {
-        self.errors[lane].reach * 2f32.powi(-20)
+        self.far[lane] / self.step[lane] * 2f32.powi(-20)
     }
 
     /// A bit for every child whose box one of the rays may meet inside the interval, and where
@@ -174,6 +167,9 @@ impl Packet {
         )
     }
 
+}
+
+impl Packet {
     /// A bit for every ray that may meet the box of a node's child between `min` and its own
     /// entry of `max`. All rays must have the directions' signs `backward`.
     #[inline(always)]

@@ -29,9 +29,9 @@ pub fn entered_before<S: Simd>(simd: S, enter: &[f32; WIDTH], max: f32) -> u32 {
 }
 
 /// One ray of a packet, and the stretch in which hits count.
-pub struct Query<'p> {
+pub struct Query<'p, const N: usize> {
     /// Its packet.
-    pub packet: &'p Packet,
+    pub packet: &'p Packet<N>,
     /// Its place there.
     pub lane: usize,
     /// The ray itself.
@@ -43,10 +43,10 @@ pub struct Query<'p> {
 impl Bvh<'_> {
     /// The better of `best` and the first hit of the ray.
     #[inline(always)]
-    pub(super) fn nearest_one<S: Simd>(
+    pub(super) fn nearest_one<S: Simd, const N: usize>(
         &self,
         simd: S,
-        query: &Query,
+        query: &Query<N>,
         mut best: Option<Hit>,
         c: &mut Counters,
     ) -> Option<Hit> {
@@ -94,7 +94,7 @@ impl Bvh<'_> {
 
     /// Whether the ray hits anything.
     #[inline(always)]
-    pub(super) fn any_one<S: Simd>(&self, simd: S, query: &Query, c: &mut Counters) -> bool {
+    pub(super) fn any_one<S: Simd, const N: usize>(&self, simd: S, query: &Query<N>, c: &mut Counters) -> bool {
         let Query { packet, lane, ray, interval } = *query;
         let filter = packet.filter(lane);
         let backward = packet.backward[lane];

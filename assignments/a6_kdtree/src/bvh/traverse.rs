@@ -15,6 +15,25 @@ use common::simd::{self, Simd, dispatch};
 
 impl Bvh<'_> {
     #[inline(always)]
+    fn nearest_alone<S: Simd>(
+        &self,
+        simd: S,
+        ray: &Ray,
+        interval: Interval,
+        best: Option<Hit>,
+        c: &mut Counters,
+    ) -> Option<Hit> {
+        let packet = &Packet::<1>::new(std::slice::from_ref(ray), &self.bounds);
+        self.nearest_one(simd, &Query { packet, lane: 0, ray, interval }, best, c)
+    }
+
+    #[inline(always)]
+    fn any_alone<S: Simd>(&self, simd: S, ray: &Ray, interval: Interval, c: &mut Counters) -> bool {
+        let packet = &Packet::<1>::new(std::slice::from_ref(ray), &self.bounds);
+        self.any_one(simd, &Query { packet, lane: 0, ray, interval }, c)
+    }
+
+    #[inline(always)]
     fn nearest_in<S: Simd>(
         &self,
         simd: S,
@@ -24,9 +43,9 @@ impl Bvh<'_> {
         c: &mut Counters,
     ) {
         for (rays, best) in rays.chunks(RAYS).zip(best.chunks_mut(RAYS)) {
-            let packet = Packet::new(rays, &self.bounds);
+            let packet = Packet::<RAYS>::new(rays, &self.bounds);
             let asked = usable(rays);
-            if let Some(frustum) = Frustum::around(&packet, &self.bounds) {
+            if let Some(frustum) = self.frustum(&packet, rays.len()) {
                 let bundle = Bundle { packet: &packet, frustum: &frustum, rays, asked, interval };
                 self.nearest_together(simd, &bundle, best, c);
                 continue;
@@ -50,12 +69,12 @@ impl Bvh<'_> {
         c: &mut Counters,
     ) {
         for (rays, hit) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {
-            let packet = Packet::new(rays, &self.bounds);
+            let packet = Packet::<RAYS>::new(rays, &self.bounds);
             let mut asked = usable(rays);
             for (lane, hit) in hit.iter().enumerate() {
                 asked &= !(u32::from(*hit) << lane);
             }
-            if let Some(frustum) = Frustum::around(&packet, &self.bounds) {
+            if let Some(frustum) = self.frustum(&packet, rays.len()) {
                 let bundle = Bundle { packet: &packet, frustum: &frustum, rays, asked, interval };
                 let bits = self.any_together(simd, &bundle, c);
                 for (lane, hit) in hit.iter_mut().enumerate() {
@@ -73,6 +92,17 @@ impl Bvh<'_> {
     }
 }
 
+/// Fewer rays are faster one by one.
+const BUNDLE: usize = 4;
+
+impl Bvh<'_> {
+    /// What encloses a packet's rays, if they are worth following together.
+    #[inline(always)]
+    fn frustum(&self, packet: &Packet, rays: usize) -> Option<Frustum> {
+        if rays < BUNDLE { None } else { Frustum::around(packet, &self.bounds) }
+    }
+}
+
 /// A bit for each ray that can hit anything at all.
 #[inline(always)]
 fn usable(rays: &[Ray]) -> u32 {
@@ -85,15 +115,28 @@ fn usable(rays: &[Ray]) -> u32 {
 
 impl Accel for Bvh<'_> {
     fn nearest(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> Option<Hit> {
-        let mut best = [None];
-        self.nearest_many(std::slice::from_ref(ray), interval, &mut best, counters);
-        best[0]
+        if !ray.is_usable() {
+            return None;
+        }
+        let best = match self.geometry.sheets() {
+            [] => None,
+            _ => self.geometry.nearest_sheet(&ExactRay::new(ray), interval, counters),
+        };
+        if self.nodes.is_empty() {
+            return best;
+        }
+        dispatch!(simd::level(), s => self.nearest_alone(s, ray, interval, best, counters))
     }
 
     fn any(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> bool {
-        let mut hit = [false];
-        self.any_many(std::slice::from_ref(ray), interval, &mut hit, counters);
-        hit[0]
+        if !ray.is_usable() {
+            return false;
+        }
+        let sheets = self.geometry.sheets();
+        if !sheets.is_empty() && self.geometry.any_sheet(&ExactRay::new(ray), interval, counters) {
+            return true;
+        }
+        !self.nodes.is_empty() && dispatch!(simd::level(), s => self.any_alone(s, ray, interval, counters))
     }
 
     fn nearest_many(
