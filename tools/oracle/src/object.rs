@@ -1,8 +1,8 @@
 //! Objects: shapes with their transforms composed, one flat list.
 
-use crate::shape::{Crossing, Shape, Soup};
+use crate::shape::{Crossing, Shape, Soup, Uv};
 use crate::transform::product;
-use crate::{Hit, OracleError, Ray, Surface};
+use crate::{Hit, OracleError, Ray};
 use common::math::{DMat3, DMat4, DVec3};
 use common::scene::{Node, NodeKind, Scene};
 
@@ -20,7 +20,8 @@ pub(crate) struct Object {
     /// Index of the shape in `Scene::nodes`.
     pub node: usize,
     pub shape: Shape,
-    pub surface: Surface,
+    /// Number of its material in `Scene::materials`.
+    pub material: u32,
     pub to_world: DMat4,
     pub to_object: DMat4,
     /// Is there a `Transform` node above it, were it an identity?
@@ -37,17 +38,31 @@ impl Object {
         (self.normal_matrix * crossing.normal).normalize()
     }
 
+    /// The unit normal in world space to shade with: the interpolated one of a smooth mesh, else
+    /// `geometric`.
+    fn shading_normal(&self, triangle: usize, point: DVec3, geometric: DVec3) -> DVec3 {
+        let local = self.shape.smooth_normal(triangle, self.to_object.transform_point3(point));
+        local.map_or(geometric, |n| (self.normal_matrix * n).normalize())
+    }
+
+    /// Texture coordinates at a `point` of the object in world space.
+    pub fn uv(&self, triangle: usize, point: DVec3) -> Uv {
+        self.shape.uv(triangle, self.to_object.transform_point3(point))
+    }
+
     /// The hit that a crossing of the world-space `ray` with this object is.
     pub fn hit(&self, ray: &Ray, crossing: Crossing) -> Hit<'_> {
         let point = ray.at(crossing.t);
         let scale = self.extent.max(largest(point)).max(largest(ray.origin));
+        let normal = self.world_normal(&crossing);
         Hit {
             t: crossing.t,
             node: self.node,
             triangle: crossing.triangle,
             point,
-            normal: self.world_normal(&crossing),
-            surface: &self.surface,
+            normal,
+            shading_normal: self.shading_normal(crossing.triangle, point, normal),
+            object: self,
             standoff: STANDOFF * scale,
         }
     }
@@ -79,9 +94,9 @@ pub(crate) fn objects(scene: &Scene) -> Result<Vec<Object>, OracleError> {
             NodeKind::Group => {}
             NodeKind::Transform(list) => frame = (frame.0 * product(list), true),
             NodeKind::Shape { shape, material } => {
-                let surface = surface(scene, node, *material)?;
+                check_material(scene, node, *material)?;
                 let shape = Shape::new(scene, node, shape)?;
-                objects.push(place(index, node, shape, surface, frame)?);
+                objects.push(place(index, node, shape, *material, frame)?);
             }
         }
         frames.push(frame);
@@ -89,16 +104,16 @@ pub(crate) fn objects(scene: &Scene) -> Result<Vec<Object>, OracleError> {
     Ok(objects)
 }
 
-fn surface(scene: &Scene, node: &Node, material: u32) -> Result<Surface, OracleError> {
+fn check_material(scene: &Scene, node: &Node, material: u32) -> Result<(), OracleError> {
     let missing = OracleError::Missing { what: "material", position: node.position };
-    Surface::new(scene.materials.get(material as usize).ok_or(missing)?, node.position)
+    scene.materials.get(material as usize).map(|_| ()).ok_or(missing)
 }
 
 fn place(
     index: usize,
     node: &Node,
     shape: Shape,
-    surface: Surface,
+    material: u32,
     (to_world, transformed): (DMat4, bool),
 ) -> Result<Object, OracleError> {
     let to_object = to_world.inverse();
@@ -108,7 +123,7 @@ fn place(
     let mut object = Object {
         node: index,
         shape,
-        surface,
+        material,
         to_world,
         to_object,
         transformed,
