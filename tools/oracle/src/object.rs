@@ -14,6 +14,10 @@ use common::scene::{Node, NodeKind, Scene};
 /// smaller than that fraction of the coordinates are beyond the oracle.
 const STANDOFF: f64 = 1e-9;
 
+/// Cosine of the angle that a smooth normal keeps to the direction of sight: next to nothing,
+/// but not to be mistaken for the other side.
+const BENT: f64 = 1e-4;
+
 /// One shape with its place in the world.
 #[derive(Clone, Debug)]
 pub(crate) struct Object {
@@ -38,11 +42,22 @@ impl Object {
         (self.normal_matrix * crossing.normal).normalize()
     }
 
-    /// The unit normal in world space to shade with: the interpolated one of a smooth mesh, else
-    /// `geometric`.
-    fn shading_normal(&self, triangle: usize, point: DVec3, geometric: DVec3) -> DVec3 {
-        let local = self.shape.smooth_normal(triangle, self.to_object.transform_point3(point));
-        local.map_or(geometric, |n| (self.normal_matrix * n).normalize())
+    /// The unit normal in world space to shade with at a `point`: interpolated between those of
+    /// the corners on a smooth mesh, else `flat`.
+    ///
+    /// Corners that all turn their back to the front of the triangle are taken for the fault of
+    /// a file, and turned round. And where the triangle faces along `sight` or against it, so
+    /// does the interpolated normal, by bending it if need be: outlines would turn black else.
+    fn shading_normal(&self, triangle: usize, point: DVec3, flat: DVec3, sight: DVec3) -> DVec3 {
+        let local = self.to_object.transform_point3(point);
+        let Some(corners) = self.shape.corner_normals(triangle, local) else { return flat };
+        let placed = corners.map(|(weight, n)| (weight, (self.normal_matrix * n).normalize_or_zero()));
+        let backwards = placed.iter().all(|(_, n)| n.dot(flat) < 0.0);
+        let sum: DVec3 = placed.iter().map(|(weight, n)| weight * n).sum();
+        let normal = if backwards { -sum } else { sum }.normalize_or(flat);
+        let outward = if sight.dot(flat) > 0.0 { sight } else { -sight };
+        let short = BENT - normal.dot(outward);
+        if short > 0.0 { (normal + short * outward).normalize() } else { normal }
     }
 
     /// Texture coordinates at a `point` of the object in world space.
@@ -61,7 +76,7 @@ impl Object {
             triangle: crossing.triangle,
             point,
             normal,
-            shading_normal: self.shading_normal(crossing.triangle, point, normal),
+            shading_normal: self.shading_normal(crossing.triangle, point, normal, ray.direction),
             object: self,
             standoff: STANDOFF * scale,
         }

@@ -15,8 +15,13 @@ pub(crate) fn local(world: &World, options: &Options, ray: &Ray, hit: &Hit, mixt
     if from_behind && !options.shade_back {
         return DVec3::ZERO;
     }
-    let normal = if from_behind { -hit.shading_normal } else { hit.shading_normal };
+    let side = if from_behind { -1.0 } else { 1.0 };
+    let (normal, flat) = (side * hit.shading_normal, side * hit.normal);
     let lit = sum_of_lights(world, hit.point, normal, |arriving| {
+        // A smooth normal may lean towards a light that would have to come through the surface.
+        if arriving.direction.dot(flat) <= 0.0 {
+            return DVec3::ZERO;
+        }
         let visible = visibility(world, options, hit, arriving);
         visible
             * mixture.sum(|surface| {

@@ -57,8 +57,9 @@ fn children(options: &Options, parent: &Branch, hit: &Hit, mixture: &Mixture) ->
     let refracted = glasses.iter().filter_map(|glass| {
         let kt = (1.0 - reflectance(options, incoming, hit, glass)) * glass.transparent;
         grow(options, parent, hit, kt, || {
-            let direction = refracted_direction(incoming, hit, glass.index)?;
-            Some((direction, if entering { glass.inside.clone() } else { Medium::default() }))
+            let normal = glass_normal(incoming, hit, glass.index);
+            let direction = refract(incoming, normal, glass.index)?;
+            Some((direction, if entering { mixture.inside() } else { Medium::default() }))
         })
     });
     mirrored.into_iter().chain(refracted).collect()
@@ -72,11 +73,12 @@ fn mirrored_direction(incoming: DVec3, hit: &Hit) -> DVec3 {
     if stays { smooth.normalize() } else { mirror(incoming, hit.normal).normalize() }
 }
 
-/// The refracted unit direction, by the same rule; `None` at total internal reflection.
-fn refracted_direction(incoming: DVec3, hit: &Hit, index: f64) -> Option<DVec3> {
-    let smooth = refract(incoming, hit.shading_normal, index)?;
-    let passes = smooth.dot(hit.normal) * incoming.dot(hit.normal) >= 0.0;
-    if passes { Some(smooth) } else { refract(incoming, hit.normal, index) }
+/// The normal that glass goes by: the shading normal, but the flat triangle's own where the
+/// refracted ray would not come out on the other side of it.
+fn glass_normal(incoming: DVec3, hit: &Hit, index: f64) -> DVec3 {
+    let passes = |d: DVec3| d.dot(hit.normal) * incoming.dot(hit.normal) >= 0.0;
+    let smooth = refract(incoming, hit.shading_normal, index);
+    if smooth.is_none_or(passes) { hit.shading_normal } else { hit.normal }
 }
 
 /// Colour of the mirrored ray: the materials' own, but with `-fresnel` the transparent ones
@@ -98,7 +100,10 @@ fn mirror_colour(
 
 /// The fraction of light that glass turns back: none without `-fresnel`.
 fn reflectance(options: &Options, incoming: DVec3, hit: &Hit, glass: &Glass) -> f64 {
-    if options.fresnel { fresnel_reflectance(incoming, hit.shading_normal, glass.index) } else { 0.0 }
+    if !options.fresnel {
+        return 0.0;
+    }
+    fresnel_reflectance(incoming, glass_normal(incoming, hit, glass.index), glass.index)
 }
 
 /// A child of `parent` with colour `k`, unless `k` is black, its weight is below the cut-off,

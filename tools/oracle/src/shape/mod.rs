@@ -47,7 +47,10 @@ impl Shape {
         Ok(match *spec {
             ShapeSpec::Sphere { center, radius } => Self::Sphere(Sphere { center, radius }),
             ShapeSpec::Plane { normal, offset, disc } => Self::Plane(Plane::new(normal, offset, disc)),
-            ShapeSpec::Triangle { vertices } => Self::triangles(vec![vertices], Attributes::default()),
+            ShapeSpec::Triangle { vertices } => {
+                let attributes = Attributes { uvs: vec![uv::BARE_TRIANGLE], ..Attributes::default() };
+                Self::triangles(vec![vertices], attributes)
+            }
             ShapeSpec::Mesh { mesh, smooth } => {
                 let missing = OracleError::Missing { what: "mesh", position: node.position };
                 let mesh = scene.meshes.get(mesh as usize).ok_or(missing)?;
@@ -63,24 +66,25 @@ impl Shape {
         Self::Triangles(Soup::new(triangles, attributes))
     }
 
-    /// The normal to shade with at a `point` of the shape: interpolated on smooth meshes, of any
-    /// length; `None` where it is the crossing's own.
-    pub fn smooth_normal(&self, triangle: usize, point: DVec3) -> Option<DVec3> {
+    /// The normals at the corners of a triangle of a smooth mesh, each with its weight at a
+    /// `point` of that triangle; `None` for all that is shaded as flat as it is.
+    pub fn corner_normals(&self, triangle: usize, point: DVec3) -> Option<[(f64, DVec3); 3]> {
         let Self::Triangles(soup) = self else { return None };
-        let [a, b, c] = *soup.attributes.normals.get(triangle)?;
+        let normals = soup.attributes.normals.get(triangle)?;
         let weights = barycentric(&soup.triangles[triangle], point);
-        let normal = weights.x * a + weights.y * b + weights.z * c;
-        (normal.length_squared() > 0.0).then_some(normal)
+        Some(std::array::from_fn(|k| (weights[k], normals[k])))
     }
 
     /// Texture coordinates at a `point` of the shape.
     pub fn uv(&self, triangle: usize, point: DVec3) -> Uv {
         match self {
-            Self::Sphere(sphere) => uv::of_sphere((point - sphere.center) / sphere.radius),
+            Self::Sphere(sphere) => uv::of_direction(point - sphere.center),
             Self::Plane(plane) => uv::of_plane(plane, point),
             Self::Triangles(soup) => {
+                let Some(corners) = soup.attributes.uvs.get(triangle) else {
+                    return uv::of_direction(point - soup.middle());
+                };
                 let weights = barycentric(&soup.triangles[triangle], point);
-                let corners = soup.attributes.uvs.get(triangle).copied().unwrap_or(uv::BARE_TRIANGLE);
                 std::array::from_fn(|k| weights.dot(DVec3::from_array(corners.map(|uv| uv[k]))))
             }
         }

@@ -32,6 +32,13 @@ impl Soup {
         Self { triangles, attributes, bounds }
     }
 
+    /// The middle of the box around all corners.
+    pub fn middle(&self) -> DVec3 {
+        let corners = || self.triangles.iter().flatten().copied();
+        let (low, high) = (corners().reduce(DVec3::min), corners().reduce(DVec3::max));
+        (low.unwrap_or_default() + high.unwrap_or_default()) / 2.0
+    }
+
     /// Calls `found` for every triangle that the line meets, edges and corners included.
     pub fn cross(&self, ray: &Ray, found: &mut impl FnMut(Crossing)) {
         let sheared = Sheared::new(ray);

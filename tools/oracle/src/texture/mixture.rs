@@ -1,6 +1,7 @@
 //! Weighted plain surfaces.
 
 use crate::Surface;
+use crate::optics::transmittance;
 use common::math::DVec3;
 
 /// The plain surfaces that a material is made of at a point. Weights are above zero and sum to
@@ -19,8 +20,6 @@ pub(crate) struct Glass {
     pub share: f64,
     /// Weighted sum of their transparent colours.
     pub transparent: DVec3,
-    /// What light meets on the way through.
-    pub inside: Medium,
 }
 
 /// What a ray travels in: weights and Beer–Lambert coefficients of the mixed materials, none in
@@ -43,6 +42,11 @@ impl Mixture {
         self.parts().map(|(weight, surface)| weight * of(surface)).sum()
     }
 
+    /// What a ray travels in that has entered here.
+    pub(crate) fn inside(&self) -> Medium {
+        Medium(self.parts().map(|(weight, surface)| (weight, surface.absorption)).collect())
+    }
+
     /// The transparent parts, those of one index of refraction together.
     pub(crate) fn glasses(&self) -> Vec<Glass> {
         let mut glasses: Vec<Glass> = Vec::new();
@@ -50,14 +54,12 @@ impl Mixture {
             let index = surface.index_of_refraction;
             let known = glasses.iter().position(|glass| glass.index == index);
             let at = known.unwrap_or_else(|| {
-                let (transparent, inside) = (DVec3::ZERO, Medium::default());
-                glasses.push(Glass { index, share: 0.0, transparent, inside });
+                glasses.push(Glass { index, share: 0.0, transparent: DVec3::ZERO });
                 glasses.len() - 1
             });
             let glass = &mut glasses[at];
             glass.share += weight;
             glass.transparent += weight * surface.transparent;
-            glass.inside.0.push((weight, surface.absorption));
         }
         glasses
     }
@@ -70,11 +72,7 @@ impl Medium {
         if self.0.is_empty() {
             return DVec3::ONE;
         }
-        let left: DVec3 = self
-            .0
-            .iter()
-            .map(|&(w, absorption)| w * crate::optics::transmittance(absorption, distance))
-            .sum();
-        left / self.0.iter().map(|(w, _)| w).sum::<f64>()
+        let left = |&(weight, absorption): &(f64, DVec3)| weight * transmittance(absorption, distance);
+        self.0.iter().map(left).sum()
     }
 }
