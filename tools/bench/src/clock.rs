@@ -42,7 +42,7 @@ pub fn thread_time() -> u64 {
 pub fn time<T>(work: impl FnOnce() -> T) -> std::io::Result<(T, Span)> {
     let (started, before) = (Instant::now(), process_time()?);
     let result = work();
-    let cpu = (process_time()? - before) as f64 / 1e6;
+    let cpu = process_time()?.saturating_sub(before) as f64 / 1e6;
     Ok((result, Span { wall: started.elapsed().as_secs_f64() * 1e3, cpu }))
 }
 

@@ -6,10 +6,12 @@
 //! Nothing here passes or fails by time.
 
 mod clock;
+mod growth;
 mod kernels;
 mod pictures;
 mod rays;
 mod sample;
+mod trees;
 mod truth;
 mod world;
 
@@ -41,6 +43,10 @@ enum Part {
     },
     /// Rays per second of every structure, beside what is wrong with its answers
     Rays(rays::Options),
+    /// Build time against render time on five views: no tree, kd-trees, hierarchy
+    Trees(trees::Options),
+    /// Cost of a ray from a thousand to ten million triangles, with a plot
+    Growth(growth::Options),
     /// One command line of assignment 5, as a process to be timed
     #[command(hide = true)]
     Child {
@@ -56,6 +62,8 @@ fn main() -> ExitCode {
         Part::Pictures { rounds } => pictures::run(rounds.max(1)),
         Part::Kernels { rounds } => kernels::run(rounds.max(1)),
         Part::Rays(options) => rays::run(&options),
+        Part::Trees(options) => trees::run(&options),
+        Part::Growth(options) => growth::run(&options),
         Part::Child { args } => child(args),
     })
 }
