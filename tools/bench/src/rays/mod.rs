@@ -1,8 +1,8 @@
 //! Rays per second of every structure on the same rays, beside what is wrong with the answers.
 //!
-//! Rates are per processor time of one thread, so that a busy machine does not change what is
-//! measured; where rays are shared by several threads they slow each other down through caches,
-//! memory and cores that are halves of one, and that shows.
+//! Rates are rays per processor time, times the number of threads that share the rays, so that
+//! waiting for a busy machine does not count. What threads cost each other does: caches, memory,
+//! and cores that are halves of one.
 
 mod contender;
 mod files;
@@ -72,7 +72,7 @@ pub struct Options {
 pub fn run(options: &Options) -> Result<(), AppError> {
     let structures = contender::chosen(&options.structures)?;
     let mut json = options.json.as_ref().map(File::create).transpose()?;
-    say("million rays per second and thread of processor time: median (quartiles)");
+    say("million rays per second of all threads together, by processor time: median (quartiles)");
     if !cfg!(feature = "peers") {
         say(
             "the crates obvhs, parry3d and bvh are absent: `cargo run --release -p bench --features peers -- rays`",

@@ -43,6 +43,7 @@ pub fn print_rows(set: &str, questions: &[Question], rows: &[Row]) {
         let _ = write!(head, " {what:>18}");
     }
     say(&format!("{head} {:>7} {:>7} {:>7} {:>7}   relative error of t", "missed", "false", "wrong", "any"));
+    let all = rows.iter().map(|row| row.verdict.asked).max().unwrap_or(0);
     for row in rows {
         let mut line = format!("{:<12}", row.name);
         for rate in row.rates {
@@ -52,15 +53,14 @@ pub fn print_rows(set: &str, questions: &[Question], rows: &[Row]) {
         let [half, most, worst] = [0.5, 0.999, 1.0].map(|q| v.error.quantile(q));
         let _ = write!(line, " {:>7} {:>7} {:>7} {:>7}", v.missed, v.false_hits, v.wrong, v.any_wrong);
         let _ = write!(line, "   {half:.1e} {most:.1e} {worst:.1e}");
-        say(&(line + &remark(row)));
+        say(&(line + &remark(row, all)));
     }
 }
 
-/// What must be known to read a row.
-fn remark(row: &Row) -> String {
-    let rays = row.rates.first().map_or(0, |r| r.rays);
-    let few = rays.max(row.verdict.asked) < 100_000;
-    if few { format!("   (from {rays} rays, {} judged)", row.verdict.asked) } else { String::new() }
+/// What must be known to read a row: that it is an estimate from a part of the rays.
+fn remark(row: &Row, all: usize) -> String {
+    let (timed, judged) = (row.rates.first().map_or(0, |r| r.rays), row.verdict.asked);
+    if judged == all { String::new() } else { format!("   (estimated from {timed} rays, {judged} judged)") }
 }
 
 /// One JSON object: what building cost.

@@ -79,7 +79,7 @@ pub struct Question {
     pub threads: usize,
 }
 
-/// What asking cost: million rays per second and thread of processor time.
+/// What asking cost: million rays per second of all threads together, by processor time.
 #[derive(Clone, Debug, Default)]
 pub struct Rate {
     /// One figure per round.

@@ -31,11 +31,11 @@ pub struct Generated {
 /// The kinds of generated mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// See [`sphere`].
+    /// See [`sphere()`].
     Sphere,
-    /// See [`gyroid`].
+    /// See [`gyroid()`].
     Gyroid,
-    /// See [`terrain`].
+    /// See [`terrain()`].
     Terrain,
 }
 

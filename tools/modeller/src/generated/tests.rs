@@ -79,7 +79,9 @@ fn terrains_have_one_rim_and_face_upwards() {
     let mesh = terrain(5_000).to_mesh();
     let mut uses: HashMap<(u32, u32), i32> = HashMap::new();
     for &[a, b, c] in &mesh.triangles {
-        [(a, b), (b, c), (c, a)].map(|edge| *uses.entry(edge).or_default() += 1);
+        for edge in [(a, b), (b, c), (c, a)] {
+            *uses.entry(edge).or_default() += 1;
+        }
     }
     assert!(uses.values().all(|&n| n == 1));
     let rim = uses.keys().filter(|(a, b)| !uses.contains_key(&(*b, *a)));
