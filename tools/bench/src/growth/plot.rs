@@ -4,6 +4,9 @@ use common::cli::AppError;
 use plotters::prelude::*;
 use std::path::Path;
 
+/// Family and size of all text but the caption.
+const FONT: (&str, u32) = ("sans-serif", 17);
+
 /// One curve.
 pub struct Curve {
     /// What it is called in the legend.
@@ -41,10 +44,19 @@ fn picture(
     let mut chart = ChartBuilder::on(&area)
         .caption(title, ("sans-serif", 20))
         .margin(12)
-        .x_label_area_size(45)
-        .y_label_area_size(60)
-        .build_cartesian_2d((min..max).log_scale(), 0.0..top)?;
-    chart.configure_mesh().x_desc(x_label).y_desc(y_label).light_line_style(WHITE).draw()?;
+        .x_label_area_size(50)
+        .y_label_area_size(65)
+        .build_cartesian_2d((min..max * 1.1).log_scale(), 0.0..top)?;
+    chart
+        .configure_mesh()
+        .x_desc(x_label)
+        .y_desc(y_label)
+        .label_style(FONT)
+        .axis_desc_style(FONT)
+        .x_label_formatter(&|x| short(*x))
+        .y_label_formatter(&|y| format!("{y:.0}"))
+        .light_line_style(WHITE)
+        .draw()?;
     for (i, curve) in curves.iter().enumerate() {
         let color = HSLColor(i as f64 / curves.len() as f64, 0.8, 0.4);
         let line = chart.draw_series(LineSeries::new(curve.points.iter().copied(), color.stroke_width(2)))?;
@@ -53,9 +65,23 @@ fn picture(
         chart.draw_series(curve.points.iter().map(|p| Circle::new(*p, 3, color.filled())))?;
     }
     let mut legend = chart.configure_series_labels();
-    legend.position(SeriesLabelPosition::UpperLeft).background_style(WHITE).border_style(BLACK).draw()?;
+    legend
+        .label_font(FONT)
+        .position(SeriesLabelPosition::UpperLeft)
+        .background_style(WHITE)
+        .border_style(BLACK)
+        .draw()?;
     area.present()?;
     Ok(())
+}
+
+/// A count with k for thousands and M for millions.
+fn short(x: f64) -> String {
+    match x {
+        x if x >= 1e6 => format!("{:.0} M", x / 1e6),
+        x if x >= 1e3 => format!("{:.0} k", x / 1e3),
+        x => format!("{x:.0}"),
+    }
 }
 
 #[cfg(test)]
@@ -69,7 +95,11 @@ mod tests {
         draw(&file, ["costs", "triangles", "ns"], &[curve("red", 1.0), curve("blue", 2.0)]).unwrap();
         let text = std::fs::read_to_string(&file).unwrap();
         std::fs::remove_file(&file).unwrap();
-        assert!(["costs", "triangles", "ns", "red", "blue"].iter().all(|word| text.contains(word)));
+        assert!(
+            ["costs", "triangles", "ns", "red", "blue", "100 k", "1 M"]
+                .iter()
+                .all(|word| text.contains(word))
+        );
         assert!(text.matches("<polyline").count() >= 2 && text.trim_end().ends_with("</svg>"));
         assert!(draw(&file, ["", "", ""], &[]).is_err() && !file.exists());
     }

@@ -55,7 +55,7 @@ fn text(world: &World) -> String {
              PhongMaterial {{ diffuseColor 0.4 0.4 0.4 reflectiveColor 0.3 0.3 0.3 }} }}
          Group {{ numObjects {} MaterialIndex 0 TriangleMesh {{ obj_file it }}
          MaterialIndex 2 Plane {{ normal 0 1 0 offset {floor} }} MaterialIndex 1 ",
-        at(0.0, 0.75, 3.4),
+        at(0.0, 0.5, 2.3),
         at(-3.0, 4.0, 3.0),
         at(4.0, 3.0, 1.0),
         BALLS + 2
