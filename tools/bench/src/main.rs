@@ -1,5 +1,6 @@
 //! Run time, measured. `cargo run --release -p bench -- pictures`, or `-- kernels`,
-//! `-- rays`, `-- trees`, `-- growth`.
+//! `-- rays`, `-- trees`, `-- growth`; other people's structures take part in `rays` with
+//! `cargo run --release -p bench --features peers -- rays`.
 //!
 //! What is compared is interleaved, so that a busy moment of the machine hits all alike, and
 //! medians are printed with their quartiles. Results are verified before anything is timed.

@@ -95,3 +95,38 @@ pub fn chosen(names: &[String]) -> Result<Vec<Structure>, AppError> {
     };
     names.iter().map(one).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rays::{NAMES, make, verdict::judge};
+    use crate::truth::Tree;
+
+    /// Ours are never wrong; single precision may be, at the very edge of a triangle.
+    #[test]
+    fn structures_answer_as_the_truth_does() {
+        for name in ["sphere1k", "gyroid2k", "terrain500"] {
+            let world = World::named(name).unwrap();
+            let sets = make(&world, &Tree::new(&world.mesh), 48, &NAMES.map(str::to_owned));
+            for (place, structure) in all().into_iter().enumerate() {
+                let built = (structure.build)(&world).unwrap();
+                let ours = place < super::super::ours::all().len();
+                for set in &sets {
+                    let v = judge(&world, set, &*built);
+                    let (wrong, most) =
+                        (v.cases.len() + v.missed + v.false_hits + v.wrong, v.error.quantile(1.0));
+                    let fine = if ours { wrong == 0 && most < 6e-8 } else { wrong <= 4 && most < 1e-3 };
+                    assert!(fine, "{} on {name}, {}: {most:e}, {:?}", structure.name, set.name, v.cases);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn names_are_looked_up() {
+        let names = ["bvh", "list"].map(str::to_owned);
+        assert_eq!(chosen(&names).unwrap().iter().map(|s| s.name).collect::<Vec<_>>(), names);
+        assert_eq!(chosen(&[]).unwrap().len(), all().len());
+        assert!(chosen(&["octree".to_owned()]).err().unwrap().report().contains("kd-sah"));
+    }
+}

@@ -47,6 +47,7 @@ pub struct Options {
     structures: Vec<String>,
     /// Numbers of threads
     #[arg(long, value_delimiter = ',', default_values_t = [1, 2])]
+    #[arg(value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..=256))]
     threads: Vec<usize>,
     /// Rounds; every round asks every structure once
     #[arg(long, default_value_t = 5)]

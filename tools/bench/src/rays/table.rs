@@ -30,9 +30,11 @@ pub fn print_builds(world: &World, builds: &[(&str, &Build, Option<usize>)]) {
     }
 }
 
-/// The median with its quartiles.
+/// The median with its quartiles; small ones with more decimals.
 fn spread(s: &Sample) -> String {
-    format!("{:.2} ({:.2}-{:.2})", s.median(), s.quantile(0.25), s.quantile(0.75))
+    let (median, low, high) = (s.median(), s.quantile(0.25), s.quantile(0.75));
+    let decimals = if median < 0.2 { 4 } else { 2 };
+    format!("{median:.decimals$} ({low:.decimals$}-{high:.decimals$})")
 }
 
 /// Prints what asking cost, and what was wrong.
@@ -40,14 +42,14 @@ pub fn print_rows(set: &str, questions: &[Question], rows: &[Row]) {
     let mut head = format!("{set:<12}");
     for q in questions {
         let what = format!("{} x{}", if q.any { "any" } else { "nearest" }, q.threads);
-        let _ = write!(head, " {what:>18}");
+        let _ = write!(head, " {what:>22}");
     }
     say(&format!("{head} {:>7} {:>7} {:>7} {:>7}   relative error of t", "missed", "false", "wrong", "any"));
     let all = rows.iter().map(|row| row.verdict.asked).max().unwrap_or(0);
     for row in rows {
         let mut line = format!("{:<12}", row.name);
         for rate in row.rates {
-            let _ = write!(line, " {:>18}", spread(&rate.mrays));
+            let _ = write!(line, " {:>22}", spread(&rate.mrays));
         }
         let v = &row.verdict;
         let [half, most, worst] = [0.5, 0.999, 1.0].map(|q| v.error.quantile(q));
