@@ -13,6 +13,9 @@ use rayon::prelude::*;
 const BATCH: usize = 4096;
 /// Roundings to single precision that a t of another triangle may be off by, at right angles.
 const ROUNDINGS: f64 = 64.0;
+/// Cosine of the flattest angle that still excuses more rounding than steeper ones: at most
+/// 4·10⁻⁴ of the distance.
+const FLATTEST: f64 = 0.01;
 /// Errors of t are relative to t, but to no less than this share of the mesh's diagonal: beside
 /// the surface that a ray leaves, rounding of the origin is all there is.
 const NEAREST: f64 = 1e-3;
@@ -104,7 +107,7 @@ fn kind(world: &World, ray: &Ray, truth: Truth, answer: Answer) -> usize {
     let line = Line::new(ray);
     let length = line.direction.length();
     let flat = |primitive: u32| cosine(line.direction, world.corners(primitive));
-    let angle = flat(truth.primitive).min(flat(answer.primitive)).max(1e-4);
+    let angle = flat(truth.primitive).min(flat(answer.primitive)).max(FLATTEST);
     let size = truth.t * length + line.origin.abs().max_element();
     let off = (f64::from(answer.t) - truth.t).abs() * length;
     // Ordered so that a NaN is wrong.
