@@ -97,7 +97,7 @@ fn print_fits(points: &[Point]) {
     for s in 0..SETS.len() * STRUCTURES.len() {
         let line = |what: &str, of: &dyn Fn(&Point) -> f64| {
             let f = fit(&curve(points, s, |p| ((p.triangles as f64).log2(), of(p))));
-            format!("{what} {:>8.2} + {:>6.2} log2 n ({:.3})", f.a, f.b, f.explained)
+            format!("{what} {:>8.2} {:>+7.2} log2 n ({:.3})", f.a, f.b, f.explained)
         };
         let parts = [line("ns", &|p| p.time), line("nodes", &|p| p.nodes), line("tests", &|p| p.tests)];
         say(&format!("{:<16} {}", series(s), parts.join("   ")));

@@ -62,6 +62,7 @@ pub fn judge(world: &World, set: &RaySet, contender: &dyn Contender) -> Verdict 
             verdict.keep("any hit", place, set.truth[place], answer);
         }
     }
+    verdict.error.sort();
     verdict
 }
 
