@@ -9,6 +9,7 @@ pub mod check;
 pub mod circle;
 pub mod cube;
 pub mod gem;
+pub mod generated;
 pub mod glyphs;
 pub mod implicit;
 pub mod logo;
