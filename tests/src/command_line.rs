@@ -63,9 +63,15 @@ impl CommandLine {
             .collect()
     }
 
-    /// All command lines of all ray-tracing assignments that have programs, in order.
+    /// All command lines of assignments 1 to 5, in order: those whose scenes have no textures.
     pub fn of_ray_tracers() -> Vec<Self> {
         (1..=5).flat_map(Self::of_assignment).collect()
+    }
+
+    /// All command lines whose pictures have references, in order: those of all ray-tracing
+    /// assignments that have programs.
+    pub fn with_references() -> Vec<Self> {
+        (1..=6).flat_map(Self::of_assignment).collect()
     }
 
     /// Whether a flag is given.

@@ -18,7 +18,7 @@ pub fn parsed_words<P: Parser>(words: &[String]) -> P {
     }
 }
 
-/// Runs a command line of assignments 1 to 5, its pictures going into `folder`. `-gui` is left
+/// Runs a command line of assignments 1 to 6, its pictures going into `folder`. `-gui` is left
 /// out: a test opens no windows.
 ///
 /// # Errors
@@ -33,6 +33,7 @@ pub fn run(line: &CommandLine, folder: &Path) -> Result<(), AppError> {
         3 => a3_phong::run(&parsed_words::<a3_phong::Program>(&line.words).args),
         4 => a4_whitted::run(&parsed_words::<a4_whitted::Program>(&line.words).args),
         5 => a5_grid::run(&parsed_words::<a5_grid::Program>(&line.words).args),
+        6 => a6_kdtree::run(&parsed_words::<a6_kdtree::Program>(&line.words).args),
         other => Err(AppError::Usage(format!("assignment {other} draws no such pictures"))),
     }
 }

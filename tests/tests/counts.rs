@@ -31,6 +31,20 @@ fn a5t4_known_counts_without_a_grid() {
     }
 }
 
+/// The numbers that the course itself gives for its first scenes of assignment 6.
+#[test]
+fn a6_known_counts_without_a_grid() {
+    for (scene, intersections) in [
+        ("scenes/scene6_01_sphere.txt", 40_000),
+        ("scenes/scene6_02_sphere_triangles.txt", 120_000),
+        ("scenes/scene6_03_sphere_plane.txt", 80_000),
+    ] {
+        let (_, counters) = brute_force(scene);
+        let work = (counters.rays, counters.shadow_rays, counters.intersections, counters.cells);
+        assert_eq!(work, (PIXELS, 0, intersections, 0), "{scene}");
+    }
+}
+
 #[test]
 fn a5t4_a_grid_of_one_cell_asks_whoever_passes_through_it() {
     let stage = Stage::open("scenes/scene1_01.txt", "-size 200 200");

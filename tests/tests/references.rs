@@ -34,7 +34,7 @@ fn every_picture_is_its_reference() {
     }
     let mut failures = Vec::new();
     println!("{:<14} {:>6} {:>6} {:>6} {:>9}  worst pixel", "picture", ">0", ">1", ">2", "rmse");
-    for line in CommandLine::of_ray_tracers() {
+    for line in CommandLine::with_references() {
         for (picture, actual) in program::pictures(&line) {
             if let Err(why) = check(&line, &picture, &actual) {
                 failures.push(why);
@@ -85,7 +85,7 @@ fn show(picture: &Picture, expected: &Film, actual: &Film) -> PathBuf {
 /// Draws every reference. Command lines that share one must agree on it.
 fn bless() {
     let mut drawn: BTreeMap<String, Film> = BTreeMap::new();
-    for line in CommandLine::of_ray_tracers() {
+    for line in CommandLine::with_references() {
         for (picture, film) in reference::drawn(&line) {
             let same = drawn.get(picture.stem()).is_none_or(|other| *other == film);
             assert!(same, "{line}\n  draws {} differently than a line before", picture.stem());
@@ -99,7 +99,7 @@ fn bless() {
 #[test]
 fn small_references_are_what_the_oracle_draws() {
     let mut seen = BTreeSet::new();
-    for line in CommandLine::of_ray_tracers().iter().filter(|line| cost::is_small(line)) {
+    for line in CommandLine::with_references().iter().filter(|line| cost::is_small(line)) {
         if !line.pictures().iter().all(|picture| seen.insert(picture.file.clone())) {
             continue;
         }
@@ -115,7 +115,7 @@ fn small_references_are_what_the_oracle_draws() {
 
 #[test]
 fn no_reference_is_left_over() {
-    let lines = CommandLine::of_ray_tracers();
+    let lines = CommandLine::with_references();
     let wanted: BTreeSet<PathBuf> =
         lines.iter().flat_map(CommandLine::pictures).map(|p| reference::path(&p)).collect();
     let kept: BTreeSet<PathBuf> = fs::read_dir(reference::folder())

@@ -1,12 +1,20 @@
-//! Run time, measured. `cargo run --release -p bench -- pictures`, or `-- kernels`.
+//! Run time, measured. `cargo run --release -p bench -- pictures`, or `-- kernels`,
+//! `-- rays`, `-- trees`, `-- growth`; other people's structures take part in `rays` with
+//! `cargo run --release -p bench --features peers -- rays`.
 //!
 //! What is compared is interleaved, so that a busy moment of the machine hits all alike, and
 //! medians are printed with their quartiles. Results are verified before anything is timed.
 //! Nothing here passes or fails by time.
 
+mod clock;
+mod growth;
 mod kernels;
 mod pictures;
+mod rays;
 mod sample;
+mod trees;
+mod truth;
+mod world;
 
 use clap::Parser;
 use common::cli::{self, AppError};
@@ -34,6 +42,12 @@ enum Part {
         #[arg(long, default_value_t = 31)]
         rounds: usize,
     },
+    /// Rays per second of every structure, beside what is wrong with its answers
+    Rays(rays::Options),
+    /// Build time against render time on five views: no tree, kd-trees, hierarchy
+    Trees(trees::Options),
+    /// Cost of a ray from a thousand to ten million triangles, with a plot
+    Growth(growth::Options),
     /// One command line of assignment 5, as a process to be timed
     #[command(hide = true)]
     Child {
@@ -48,6 +62,9 @@ fn main() -> ExitCode {
     cli::run(|| match program.part {
         Part::Pictures { rounds } => pictures::run(rounds.max(1)),
         Part::Kernels { rounds } => kernels::run(rounds.max(1)),
+        Part::Rays(options) => rays::run(&options),
+        Part::Trees(options) => trees::run(&options),
+        Part::Growth(options) => growth::run(&options),
         Part::Child { args } => child(args),
     })
 }
@@ -57,16 +74,6 @@ fn child(args: Vec<String>) -> Result<(), AppError> {
     let words = std::iter::once("a5_grid".to_owned()).chain(args);
     let parsed = cli::try_parse_from::<a5_grid::Program>(words).map_err(|stop| AppError::Usage(stop.text))?;
     a5_grid::run(&parsed.options.args)?;
-    cli::say(&format!("cpu_ns {}", processor_time()?));
+    cli::say(&format!("cpu_ns {}", clock::process_time()?));
     Ok(())
-}
-
-/// Nanoseconds that all threads of this process have run, from the kernel's scheduler.
-fn processor_time() -> Result<u64, AppError> {
-    let mut total = 0;
-    for task in std::fs::read_dir("/proc/self/task")? {
-        let text = std::fs::read_to_string(task?.path().join("schedstat"))?;
-        total += text.split(' ').next().and_then(|n| n.parse::<u64>().ok()).unwrap_or(0);
-    }
-    Ok(total)
 }

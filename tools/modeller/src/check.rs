@@ -1,4 +1,4 @@
-//! What every mesh must be: closed, manifold, in one piece with the right number of holes, facing
+//! What every mesh must be: closed, manifold, with the right number of pieces and handles, facing
 //! outwards.
 
 use crate::mesh::Mesh;
@@ -52,14 +52,14 @@ fn fan_length(next: &HashMap<(u32, u32), u32>, v: u32, first: u32) -> usize {
     round.count()
 }
 
-/// Vertices − edges + triangles of a closed mesh: 2 for a mesh in one piece without a handle.
+/// Vertices − edges + triangles of a closed mesh: 2 for each piece, less 2 for each handle.
 pub fn euler_characteristic(mesh: &Mesh) -> i64 {
     let triangles = mesh.triangles.len() as i64;
     mesh.positions.len() as i64 - triangles * 3 / 2 + triangles
 }
 
-/// Whether one can walk over edges from any triangle to any other.
-pub fn is_connected(mesh: &Mesh) -> bool {
+/// The number of pieces between which no edge leads.
+pub fn pieces(mesh: &Mesh) -> usize {
     let mut parent: Vec<u32> = (0..mesh.positions.len() as u32).collect();
     for &[a, b, c] in &mesh.triangles {
         let root = find(&mut parent, a);
@@ -68,8 +68,7 @@ pub fn is_connected(mesh: &Mesh) -> bool {
             parent[other as usize] = root;
         }
     }
-    let root = find(&mut parent, 0);
-    (0..parent.len() as u32).all(|v| find(&mut parent, v) == root)
+    (0..parent.len() as u32).filter(|&v| find(&mut parent, v) == v).count()
 }
 
 fn find(parent: &mut [u32], mut v: u32) -> u32 {
@@ -105,7 +104,7 @@ mod tests {
         let cube = cube();
         closed_manifold(&cube).unwrap();
         assert_eq!(euler_characteristic(&cube), 2);
-        assert!(is_connected(&cube));
+        assert_eq!(pieces(&cube), 1);
         assert_eq!(volume(&cube), 8.0);
         assert_eq!(flattest(&cube), 0.5);
     }
@@ -141,7 +140,7 @@ mod tests {
         pair.positions.extend(cube().positions.into_iter().map(|p| p + 5.0));
         pair.triangles.extend(cube().triangles.iter().map(|t| t.map(|v| v + 8)));
         closed_manifold(&pair).unwrap();
-        assert!(!is_connected(&pair));
+        assert_eq!(pieces(&pair), 2);
         assert_eq!(euler_characteristic(&pair), 4);
     }
 }

@@ -5,7 +5,7 @@ use common::picture::Size;
 use oracle::{CellPicture, GridFit, Model, Options, Specular};
 use std::path::PathBuf;
 
-/// The flags of assignments 1 to 5. Those of the window and the preview are accepted and have
+/// The flags of assignments 1 to 6. Those of the window and the preview are accepted and have
 /// no effect, so that every command line of the course can be given as it is.
 #[derive(Clone, Debug, clap::Args)]
 #[command(rename_all = "snake_case", next_help_heading = "Pictures")]
@@ -30,7 +30,7 @@ pub struct Args {
     #[arg(long, value_name = "PICTURE")]
     pub normals: Option<PathBuf>,
 
-    /// Lighting model of assignment 1, 2, 3, or 4 and 5
+    /// Lighting model of assignment 1, 2, 3, or 4 to 6
     #[arg(long, value_enum, default_value_t)]
     model: ModelName,
 
@@ -99,7 +99,7 @@ enum ModelName {
     Diffuse,
     /// Assignment 3
     Phong,
-    /// Assignments 4 and 5
+    /// Assignments 4 to 6
     #[default]
     Whitted,
 }

@@ -7,9 +7,9 @@ use thiserror::Error;
 /// reference that is silently wrong would be worse than none.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum OracleError {
-    /// A material that only assignment 6 knows.
-    #[error("{}: textures belong to assignment 6", at(.0))]
-    Texture(Position),
+    /// A picture of an image texture cannot be read; the text names the file.
+    #[error("{0}")]
+    Picture(String),
     /// Something that a later assignment adds.
     #[error("{}: {what} belongs to assignment {assignment}", at(.position))]
     Later {
@@ -20,9 +20,6 @@ pub enum OracleError {
         /// Where its keyword stands; the camera's for the background.
         position: Position,
     },
-    /// A mesh with interpolated normals.
-    #[error("{}: the oracle draws meshes flat, not `smooth`", at(.0))]
-    Smooth(Position),
     /// A transform, or a product of nested ones, that has no inverse.
     #[error("{}: this transform, composed with those around it, has no inverse", at(.0))]
     Singular(Position),

@@ -1,6 +1,6 @@
 //! The independent reference renderer: double precision, brute force, written for clarity.
 //!
-//! It draws everything that assignments 1 to 5 can draw, and shares with the fast core only the
+//! It draws everything that assignments 1 to 6 can draw, and shares with the fast core only the
 //! scene as it was read (`common::scene`, `common::mesh`) and the vector type. Cameras, shapes,
 //! shading and the cell picture are written here a second time, straight from the pixel rules,
 //! so that a mistake in one of the two renderers shows as a difference between them.
@@ -8,7 +8,7 @@
 //! ```text
 //! Scene ── World (objects with composed transforms, lights)
 //!            │
-//! View ── Ray ── World::nearest ── Hit ── shade / tree ── Pictures
+//! View ── Ray ── World::nearest ── Hit ── texture ── shade / tree ── Pictures
 //!            └── cells (the picture of -visualize_grid)
 //! ```
 //!
@@ -26,6 +26,7 @@ mod render;
 mod shade;
 mod shape;
 mod surface;
+mod texture;
 mod transform;
 mod tree;
 mod view;
@@ -38,5 +39,6 @@ pub use options::{CellPicture, GridFit, Model, Options, Specular};
 pub use ray::{Range, Ray};
 pub use render::{Pictures, Raster, render};
 pub use surface::Surface;
+pub use texture::Mixture;
 pub use view::View;
 pub use world::{Hit, World};

@@ -1,4 +1,4 @@
-//! The oracle as a program: the flags of assignments 1 to 5, the pictures in double precision.
+//! The oracle as a program: the flags of assignments 1 to 6, the pictures in double precision.
 
 mod args;
 

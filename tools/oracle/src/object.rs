@@ -1,8 +1,8 @@
 //! Objects: shapes with their transforms composed, one flat list.
 
-use crate::shape::{Crossing, Shape, Soup};
+use crate::shape::{Crossing, Shape, Soup, Uv};
 use crate::transform::product;
-use crate::{Hit, OracleError, Ray, Surface};
+use crate::{Hit, OracleError, Ray};
 use common::math::{DMat3, DMat4, DVec3};
 use common::scene::{Node, NodeKind, Scene};
 
@@ -14,13 +14,18 @@ use common::scene::{Node, NodeKind, Scene};
 /// smaller than that fraction of the coordinates are beyond the oracle.
 const STANDOFF: f64 = 1e-9;
 
+/// Cosine of the angle that a smooth normal keeps to the direction of sight: next to nothing,
+/// but not to be mistaken for the other side.
+const BENT: f64 = 1e-4;
+
 /// One shape with its place in the world.
 #[derive(Clone, Debug)]
 pub(crate) struct Object {
     /// Index of the shape in `Scene::nodes`.
     pub node: usize,
     pub shape: Shape,
-    pub surface: Surface,
+    /// Number of its material in `Scene::materials`.
+    pub material: u32,
     pub to_world: DMat4,
     pub to_object: DMat4,
     /// Is there a `Transform` node above it, were it an identity?
@@ -37,17 +42,42 @@ impl Object {
         (self.normal_matrix * crossing.normal).normalize()
     }
 
+    /// The unit normal in world space to shade with at a `point`: interpolated between those of
+    /// the corners on a smooth mesh, else `flat`.
+    ///
+    /// Corners that all turn their back to the front of the triangle are taken for the fault of
+    /// a file, and turned round. And where the triangle faces along `sight` or against it, so
+    /// does the interpolated normal, by bending it if need be: outlines would turn black else.
+    fn shading_normal(&self, triangle: usize, point: DVec3, flat: DVec3, sight: DVec3) -> DVec3 {
+        let local = self.to_object.transform_point3(point);
+        let Some(corners) = self.shape.corner_normals(triangle, local) else { return flat };
+        let placed = corners.map(|(weight, n)| (weight, (self.normal_matrix * n).normalize_or_zero()));
+        let backwards = placed.iter().all(|(_, n)| n.dot(flat) < 0.0);
+        let sum: DVec3 = placed.iter().map(|(weight, n)| weight * n).sum();
+        let normal = if backwards { -sum } else { sum }.normalize_or(flat);
+        let outward = if sight.dot(flat) > 0.0 { sight } else { -sight };
+        let short = BENT - normal.dot(outward);
+        if short > 0.0 { (normal + short * outward).normalize() } else { normal }
+    }
+
+    /// Texture coordinates at a `point` of the object in world space.
+    pub fn uv(&self, triangle: usize, point: DVec3) -> Uv {
+        self.shape.uv(triangle, self.to_object.transform_point3(point))
+    }
+
     /// The hit that a crossing of the world-space `ray` with this object is.
     pub fn hit(&self, ray: &Ray, crossing: Crossing) -> Hit<'_> {
         let point = ray.at(crossing.t);
         let scale = self.extent.max(largest(point)).max(largest(ray.origin));
+        let normal = self.world_normal(&crossing);
         Hit {
             t: crossing.t,
             node: self.node,
             triangle: crossing.triangle,
             point,
-            normal: self.world_normal(&crossing),
-            surface: &self.surface,
+            normal,
+            shading_normal: self.shading_normal(crossing.triangle, point, normal, ray.direction),
+            object: self,
             standoff: STANDOFF * scale,
         }
     }
@@ -79,9 +109,9 @@ pub(crate) fn objects(scene: &Scene) -> Result<Vec<Object>, OracleError> {
             NodeKind::Group => {}
             NodeKind::Transform(list) => frame = (frame.0 * product(list), true),
             NodeKind::Shape { shape, material } => {
-                let surface = surface(scene, node, *material)?;
+                check_material(scene, node, *material)?;
                 let shape = Shape::new(scene, node, shape)?;
-                objects.push(place(index, node, shape, surface, frame)?);
+                objects.push(place(index, node, shape, *material, frame)?);
             }
         }
         frames.push(frame);
@@ -89,16 +119,16 @@ pub(crate) fn objects(scene: &Scene) -> Result<Vec<Object>, OracleError> {
     Ok(objects)
 }
 
-fn surface(scene: &Scene, node: &Node, material: u32) -> Result<Surface, OracleError> {
+fn check_material(scene: &Scene, node: &Node, material: u32) -> Result<(), OracleError> {
     let missing = OracleError::Missing { what: "material", position: node.position };
-    Surface::new(scene.materials.get(material as usize).ok_or(missing)?, node.position)
+    scene.materials.get(material as usize).map(|_| ()).ok_or(missing)
 }
 
 fn place(
     index: usize,
     node: &Node,
     shape: Shape,
-    surface: Surface,
+    material: u32,
     (to_world, transformed): (DMat4, bool),
 ) -> Result<Object, OracleError> {
     let to_object = to_world.inverse();
@@ -108,7 +138,7 @@ fn place(
     let mut object = Object {
         node: index,
         shape,
-        surface,
+        material,
         to_world,
         to_object,
         transformed,

@@ -1,4 +1,4 @@
-//! What to draw: the command line of assignments 1 to 5 as data.
+//! What to draw: the command line of assignments 1 to 6 as data.
 
 use crate::OracleError;
 
@@ -11,7 +11,7 @@ pub enum Model {
     Diffuse,
     /// Assignment 3: ambient, diffuse and highlights.
     Phong,
-    /// Assignments 4 and 5: the above with shadows, mirrors and glass.
+    /// Assignments 4 to 6: the above with shadows, mirrors and glass.
     #[default]
     Whitted,
 }

@@ -90,11 +90,11 @@ fn see_scene(world: &World, options: &Options, ray: Ray, view: &View) -> Seen {
         return Seen { colour: world.background, surface: None };
     };
     let colour = match options.model {
-        Model::Flat => hit.surface.diffuse,
-        Model::Diffuse | Model::Phong => shade::local(world, options, &ray, &hit),
+        Model::Flat => world.mixture(&hit).sum(|surface| surface.diffuse),
+        Model::Diffuse | Model::Phong => shade::local(world, options, &ray, &hit, &world.mixture(&hit)),
         Model::Whitted => tree::colour(world, options, ray, view.range()),
     };
-    Seen { colour, surface: Some((hit.t, hit.normal)) }
+    Seen { colour, surface: Some((hit.t, hit.shading_normal)) }
 }
 
 fn see_cells(world: &World, cells: &CellGrid, ray: &Ray, view: &View) -> Seen {

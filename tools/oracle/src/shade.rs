@@ -1,31 +1,41 @@
 //! Local light: ambient, diffuse and highlights, with shadows (course rules §4.3 and §4.4).
 
 use crate::light::Arriving;
-use crate::{Hit, Model, Options, Range, Ray, Specular, World};
+use crate::object::Object;
+use crate::{Hit, Mixture, Model, Options, Range, Ray, Specular, World};
 use common::math::DVec3;
 
-/// The colour of a hit by the lights and the ambient light alone.
+/// The colour of a hit by the lights and the ambient light alone; `mixture` is its material.
 ///
 /// A surface seen from behind (ray·N > 0) is black, not even ambient, unless `-shade_back`
-/// turns its normal round.
-pub(crate) fn local(world: &World, options: &Options, ray: &Ray, hit: &Hit) -> DVec3 {
+/// turns its normal round. Which side is seen depends on the flat triangle, the light on
+/// the interpolated normal.
+pub(crate) fn local(world: &World, options: &Options, ray: &Ray, hit: &Hit, mixture: &Mixture) -> DVec3 {
     let from_behind = ray.direction.dot(hit.normal) > 0.0;
     if from_behind && !options.shade_back {
         return DVec3::ZERO;
     }
-    let normal = if from_behind { -hit.normal } else { hit.normal };
-    let surface = hit.surface;
+    let side = if from_behind { -1.0 } else { 1.0 };
+    let (normal, flat) = (side * hit.shading_normal, side * hit.normal);
     let lit = sum_of_lights(world, hit.point, normal, |arriving| {
+        // A smooth normal may lean towards a light that would have to come through the surface.
+        if arriving.direction.dot(flat) <= 0.0 {
+            return DVec3::ZERO;
+        }
         let visible = visibility(world, options, hit, arriving);
-        let highlight = match options.model {
-            Model::Flat | Model::Diffuse => 0.0,
-            Model::Phong | Model::Whitted => {
-                lobe(options.specular, normal, arriving.direction, -ray.direction).powf(surface.exponent)
-            }
-        };
-        visible * (surface.diffuse + surface.specular * highlight)
+        visible
+            * mixture.sum(|surface| {
+                let highlight = match options.model {
+                    Model::Flat | Model::Diffuse => 0.0,
+                    Model::Phong | Model::Whitted => {
+                        lobe(options.specular, normal, arriving.direction, -ray.direction)
+                            .powf(surface.exponent)
+                    }
+                };
+                surface.diffuse + surface.specular * highlight
+            })
     });
-    world.ambient * surface.diffuse + lit
+    world.ambient * mixture.sum(|surface| surface.diffuse) + lit
 }
 
 /// Σ reflectance ∘ light · max(0, L·N) over the lights in front of the surface.
@@ -79,10 +89,13 @@ fn filtered(world: &World, ray: &Ray, range: Range, same: f64) -> DVec3 {
     world.cross(ray, |object, crossing| {
         if range.contains(crossing.t) {
             let leaving = ray.direction.dot(object.world_normal(&crossing)) > 0.0;
-            crossed.push((crossing.t, leaving, &object.surface));
+            crossed.push((crossing.t, leaving, object, crossing.triangle));
         }
     });
     crossed.sort_by(|a, b| a.1.cmp(&b.1).then(a.0.total_cmp(&b.0)));
-    crossed.dedup_by(|b, a| a.1 == b.1 && b.0 - a.0 <= same && a.2 == b.2);
-    crossed.iter().map(|(_, _, surface)| surface.transparent).product()
+    crossed.dedup_by(|b, a| a.1 == b.1 && b.0 - a.0 <= same && a.2.material == b.2.material);
+    let passing = |&(t, _, object, triangle): &(f64, bool, &Object, usize)| {
+        world.mixture_at(object, triangle, ray.at(t)).sum(|surface| surface.transparent)
+    };
+    crossed.iter().map(passing).product()
 }

@@ -1,8 +1,7 @@
-//! Materials in double precision.
+//! Plain materials in double precision.
 
-use crate::OracleError;
 use common::math::DVec3;
-use common::scene::{Material, Position};
+use common::scene::PhongMaterial;
 
 /// What a surface does to light; colours are linear RGB.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,20 +23,16 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Takes over a material. `position` is that of the shape that uses it, for errors:
-    /// textures and image textures are refused. Emission is ignored, as in assignments 1 to 5.
-    pub(crate) fn new(material: &Material, position: Position) -> Result<Self, OracleError> {
-        match material {
-            Material::Phong(m) if m.image.is_none() => Ok(Self {
-                diffuse: m.diffuse.as_dvec3(),
-                specular: m.specular.as_dvec3(),
-                exponent: f64::from(m.exponent),
-                reflective: m.reflective.as_dvec3(),
-                transparent: m.transparent.as_dvec3(),
-                index_of_refraction: f64::from(m.index_of_refraction),
-                absorption: m.absorption.as_dvec3(),
-            }),
-            _ => Err(OracleError::Texture(position)),
+    /// Takes over a material, all but its picture. Emission is ignored, as in assignments 1 to 6.
+    pub(crate) fn new(material: &PhongMaterial) -> Self {
+        Self {
+            diffuse: material.diffuse.as_dvec3(),
+            specular: material.specular.as_dvec3(),
+            exponent: f64::from(material.exponent),
+            reflective: material.reflective.as_dvec3(),
+            transparent: material.transparent.as_dvec3(),
+            index_of_refraction: f64::from(material.index_of_refraction),
+            absorption: material.absorption.as_dvec3(),
         }
     }
 

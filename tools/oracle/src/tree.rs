@@ -1,9 +1,10 @@
 //! The ray tree: mirrors and glass (course rule §4.5; Whitted, "An Improved Illumination Model
 //! for Shaded Display", CACM 1980).
 
-use crate::optics::transmittance;
+use crate::Mixture;
 use crate::shade::local;
-use crate::{Hit, Options, Range, Ray, Surface, World, fresnel_reflectance, mirror, refract};
+use crate::texture::{Glass, Medium};
+use crate::{Hit, Options, Range, Ray, World, fresnel_reflectance, mirror, refract};
 use common::math::DVec3;
 
 /// A ray of the tree that has still to be followed.
@@ -15,8 +16,8 @@ struct Branch {
     /// Product of the Euclidean lengths of the colours on that way, for the cut-off.
     weight: f64,
     depth: u32,
-    /// Absorption of the object that it travels in; zero outside.
-    absorption: DVec3,
+    /// What it travels in.
+    medium: Medium,
 }
 
 /// The colour that comes back along a primary ray.
@@ -25,48 +26,84 @@ struct Branch {
 /// each surface contributes its local colour times the factors above it, and any number of
 /// bounces fits into memory.
 pub(crate) fn colour(world: &World, options: &Options, ray: Ray, range: Range) -> DVec3 {
-    let (factor, absorption) = (DVec3::ONE, DVec3::ZERO);
-    let mut pending = vec![Branch { ray, range, factor, weight: 1.0, depth: 0, absorption }];
+    let (factor, medium) = (DVec3::ONE, Medium::default());
+    let mut pending = vec![Branch { ray, range, factor, weight: 1.0, depth: 0, medium }];
     let mut sum = DVec3::ZERO;
     while let Some(branch) = pending.pop() {
         let Some(hit) = world.nearest(&branch.ray, branch.range) else {
-            let left = transmittance(branch.absorption, f64::INFINITY);
+            let left = branch.medium.transmittance(f64::INFINITY);
             sum += branch.factor * left * world.background;
             continue;
         };
-        let factor = branch.factor * transmittance(branch.absorption, hit.t);
-        sum += factor * local(world, options, &branch.ray, &hit);
+        let factor = branch.factor * branch.medium.transmittance(hit.t);
+        let mixture = world.mixture(&hit);
+        sum += factor * local(world, options, &branch.ray, &hit, &mixture);
         if branch.depth < options.bounces {
-            pending.extend(children(options, &Branch { factor, ..branch }, &hit));
+            pending.extend(children(options, &Branch { factor, ..branch }, &hit, &mixture));
         }
     }
     sum
 }
 
-/// The mirrored and the refracted ray of a hit, those of them that are made.
-fn children(options: &Options, parent: &Branch, hit: &Hit) -> impl Iterator<Item = Branch> {
-    let (kr, kt) = weights(options, parent.ray.direction, hit);
+/// The mirrored ray of a hit and the refracted ones, those of them that are made. There is one
+/// refracted ray for each index of refraction in the mixture.
+fn children(options: &Options, parent: &Branch, hit: &Hit, mixture: &Mixture) -> Vec<Branch> {
     let incoming = parent.ray.direction;
     let entering = incoming.dot(hit.normal) <= 0.0;
-    let mirrored = grow(options, parent, hit, kr, || {
-        Some((mirror(incoming, hit.normal).normalize(), parent.absorption))
+    let glasses = mixture.glasses();
+    let kr = mirror_colour(options, incoming, hit, mixture, &glasses);
+    let mirrored =
+        grow(options, parent, hit, kr, || Some((mirrored_direction(incoming, hit), parent.medium.clone())));
+    let refracted = glasses.iter().filter_map(|glass| {
+        let kt = (1.0 - reflectance(options, incoming, hit, glass)) * glass.transparent;
+        grow(options, parent, hit, kt, || {
+            let normal = glass_normal(incoming, hit, glass.index);
+            let direction = refract(incoming, normal, glass.index)?;
+            Some((direction, if entering { mixture.inside() } else { Medium::default() }))
+        })
     });
-    let refracted = grow(options, parent, hit, kt, || {
-        let direction = refract(incoming, hit.normal, hit.surface.index_of_refraction)?;
-        Some((direction, if entering { hit.surface.absorption } else { DVec3::ZERO }))
-    });
-    mirrored.into_iter().chain(refracted)
+    mirrored.into_iter().chain(refracted).collect()
 }
 
-/// Colours of the mirrored and the refracted ray: the material's own, or with `-fresnel` at a
-/// transparent material the reflectance R in white and (1 − R)·kt.
-fn weights(options: &Options, incoming: DVec3, hit: &Hit) -> (DVec3, DVec3) {
-    let surface: &Surface = hit.surface;
-    if options.fresnel && surface.is_transparent() {
-        let share = fresnel_reflectance(incoming, hit.normal, surface.index_of_refraction);
-        return (DVec3::splat(share), (1.0 - share) * surface.transparent);
+/// The mirrored unit direction: about the shading normal, but about the flat triangle's own
+/// where that would lead to the other side of it.
+fn mirrored_direction(incoming: DVec3, hit: &Hit) -> DVec3 {
+    let smooth = mirror(incoming, hit.shading_normal);
+    let stays = smooth.dot(hit.normal) * incoming.dot(hit.normal) <= 0.0;
+    if stays { smooth.normalize() } else { mirror(incoming, hit.normal).normalize() }
+}
+
+/// The normal that glass goes by: the shading normal, but the flat triangle's own where the
+/// refracted ray would not come out on the other side of it.
+fn glass_normal(incoming: DVec3, hit: &Hit, index: f64) -> DVec3 {
+    let passes = |d: DVec3| d.dot(hit.normal) * incoming.dot(hit.normal) >= 0.0;
+    let smooth = refract(incoming, hit.shading_normal, index);
+    if smooth.is_none_or(passes) { hit.shading_normal } else { hit.normal }
+}
+
+/// Colour of the mirrored ray: the materials' own, but with `-fresnel` the transparent ones
+/// reflect in white what they do not let through.
+fn mirror_colour(
+    options: &Options,
+    incoming: DVec3,
+    hit: &Hit,
+    mixture: &Mixture,
+    glasses: &[Glass],
+) -> DVec3 {
+    let own = mixture.sum(|surface| {
+        let by_fresnel = options.fresnel && surface.is_transparent();
+        if by_fresnel { DVec3::ZERO } else { surface.reflective }
+    });
+    let of_glass: f64 = glasses.iter().map(|g| g.share * reflectance(options, incoming, hit, g)).sum();
+    own + of_glass
+}
+
+/// The fraction of light that glass turns back: none without `-fresnel`.
+fn reflectance(options: &Options, incoming: DVec3, hit: &Hit, glass: &Glass) -> f64 {
+    if !options.fresnel {
+        return 0.0;
     }
-    (surface.reflective, surface.transparent)
+    fresnel_reflectance(incoming, glass_normal(incoming, hit, glass.index), glass.index)
 }
 
 /// A child of `parent` with colour `k`, unless `k` is black, its weight is below the cut-off,
@@ -76,19 +113,19 @@ fn grow(
     parent: &Branch,
     hit: &Hit,
     k: DVec3,
-    way: impl FnOnce() -> Option<(DVec3, DVec3)>,
+    way: impl FnOnce() -> Option<(DVec3, Medium)>,
 ) -> Option<Branch> {
     let weight = parent.weight * k.length();
     if k == DVec3::ZERO || weight < options.weight {
         return None;
     }
-    let (direction, absorption) = way()?;
+    let (direction, medium) = way()?;
     Some(Branch {
         ray: hit.leave(direction),
         range: Range::FORWARD,
         factor: parent.factor * k,
         weight,
         depth: parent.depth + 1,
-        absorption,
+        medium,
     })
 }

@@ -3,12 +3,13 @@
 use crate::light::Light;
 use crate::object::{Object, objects};
 use crate::shape::Crossing;
-use crate::{OracleError, Range, Ray, Surface};
+use crate::texture::{Materials, Mixture};
+use crate::{OracleError, Range, Ray};
 use common::math::DVec3;
 use common::scene::Scene;
 
 /// A point where a ray meets the scene.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Hit<'a> {
     /// Distance along the ray, whose direction has unit length; may be negative.
     pub t: f64,
@@ -20,8 +21,11 @@ pub struct Hit<'a> {
     pub point: DVec3,
     /// Unit normal in world space, on the side that the course calls outward.
     pub normal: DVec3,
-    /// The material.
-    pub surface: &'a Surface,
+    /// Unit normal in world space that lights, mirrors and glass go by: interpolated on smooth
+    /// meshes, the same as `normal` on everything else.
+    pub shading_normal: DVec3,
+    /// What was hit.
+    pub(crate) object: &'a Object,
     /// How far from the surface a secondary ray starts.
     pub(crate) standoff: f64,
 }
@@ -40,6 +44,7 @@ impl Hit<'_> {
 pub struct World {
     pub(crate) objects: Vec<Object>,
     pub(crate) lights: Vec<Light>,
+    materials: Materials,
     pub(crate) background: DVec3,
     pub(crate) ambient: DVec3,
 }
@@ -54,6 +59,7 @@ impl World {
         }
         Ok(Self {
             objects: objects(scene)?,
+            materials: Materials::new(scene)?,
             lights: scene.lights.iter().map(Light::new).collect(),
             background: scene.background.color.as_dvec3(),
             ambient: scene.background.ambient_light.as_dvec3(),
@@ -66,6 +72,16 @@ impl World {
             let local = ray.transformed(&object.to_object);
             object.shape.cross(&local, &mut |crossing| found(object, crossing));
         }
+    }
+
+    /// The plain surfaces that the material of `hit` blends there.
+    pub fn mixture(&self, hit: &Hit) -> Mixture {
+        self.mixture_at(hit.object, hit.triangle, hit.point)
+    }
+
+    /// The plain surfaces of an object at a point of its triangle (0 for other shapes).
+    pub(crate) fn mixture_at(&self, object: &Object, triangle: usize, point: DVec3) -> Mixture {
+        self.materials.at(object.material, point, || object.uv(triangle, point))
     }
 
     /// The nearest hit inside `range`: the least t, which may be negative; of equal ones the

@@ -109,22 +109,14 @@ fn a_product_without_inverse_is_refused() {
 
 #[test]
 fn later_assignments_are_refused() {
-    let text = |materials: &str, object: &str| {
+    let text = |background: &str| {
         format!(
-            "OrthographicCamera {{ center 0 0 5 direction 0 0 -1 up 0 1 0 size 2 }}
-             Materials {{ {materials} }} Group {{ numObjects 1 {object} }}"
+            "OrthographicCamera {{ center 0 0 5 direction 0 0 -1 up 0 1 0 size 2 }} {background}
+             Group {{ numObjects 0 }}"
         )
     };
-    let checker = "numMaterials 2 Material { } Checkerboard { materialIndex 0 materialIndex 0 }";
-    let sphere = "Sphere { center 0 0 0 radius 1 }";
-    let used = scene(&text(checker, &format!("MaterialIndex 1 {sphere}")));
-    let error = render(&used, &Options::default()).unwrap_err();
-    assert!(error.to_string().ends_with("textures belong to assignment 6"), "{error}");
-    let smooth = scene(&text(
-        "numMaterials 1 Material { }",
-        "MaterialIndex 0 TriangleMesh { obj_file m.obj smooth 1 }",
-    ));
-    assert!(matches!(World::new(&smooth), Err(OracleError::Smooth(_))));
-    let unused = scene(&text(checker, &format!("MaterialIndex 0 {sphere}")));
-    assert!(render(&unused, &Options::default()).is_ok());
+    let sky = scene(&text("Background { environment sky.hdr }"));
+    let error = render(&sky, &Options::default()).unwrap_err();
+    assert!(error.to_string().ends_with("an environment light belongs to assignment 8"), "{error}");
+    assert!(render(&scene(&text("")), &Options::default()).is_ok());
 }

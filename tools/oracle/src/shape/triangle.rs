@@ -7,7 +7,7 @@
 //! zero when it should not, but never has the wrong sign; and zero counts as inside. Therefore
 //! a ray through a shared edge or vertex always meets at least one of the triangles there.
 
-use super::Crossing;
+use super::{Attributes, Crossing};
 use crate::Ray;
 use common::math::DVec3;
 
@@ -22,13 +22,21 @@ const RUN: usize = 64;
 #[derive(Clone, Debug)]
 pub(crate) struct Soup {
     pub triangles: Vec<Triangle>,
+    pub attributes: Attributes,
     bounds: Vec<(DVec3, f64)>,
 }
 
 impl Soup {
-    pub fn new(triangles: Vec<Triangle>) -> Self {
+    pub fn new(triangles: Vec<Triangle>, attributes: Attributes) -> Self {
         let bounds = triangles.chunks(RUN).map(bounding_sphere).collect();
-        Self { triangles, bounds }
+        Self { triangles, attributes, bounds }
+    }
+
+    /// The middle of the box around all corners.
+    pub fn middle(&self) -> DVec3 {
+        let corners = || self.triangles.iter().flatten().copied();
+        let (low, high) = (corners().reduce(DVec3::min), corners().reduce(DVec3::max));
+        (low.unwrap_or_default() + high.unwrap_or_default()) / 2.0
     }
 
     /// Calls `found` for every triangle that the line meets, edges and corners included.

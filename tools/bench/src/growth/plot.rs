@@ -1,0 +1,106 @@
+//! Pictures of curves, as SVG: the door to plotters.
+
+use common::cli::AppError;
+use plotters::prelude::*;
+use std::path::Path;
+
+/// Family and size of all text but the caption.
+const FONT: (&str, u32) = ("sans-serif", 17);
+
+/// One curve.
+pub struct Curve {
+    /// What it is called in the legend.
+    pub name: String,
+    /// x above zero.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// Draws curves over a logarithmic axis, y from 0.
+///
+/// # Errors
+/// If there is no point, or the file cannot be written.
+pub fn draw(file: &Path, [title, x_label, y_label]: [&str; 3], curves: &[Curve]) -> Result<(), AppError> {
+    let points = || curves.iter().flat_map(|c| c.points.iter());
+    let (min, max) = points().fold((f64::INFINITY, 0.0f64), |(lo, hi), p| (lo.min(p.0), hi.max(p.0)));
+    let top = points().fold(0.0, |top: f64, p| top.max(p.1)) * 1.05;
+    if min > max {
+        return Err(AppError::Usage("there is nothing to draw".to_owned()));
+    }
+    let mut text = String::new();
+    // Drawing into a string first: a failure leaves no half file.
+    picture(&mut text, [title, x_label, y_label], (min, max, top), curves)
+        .map_err(|e| AppError::CheckFailed(format!("cannot draw {}: {e}", file.display())))?;
+    Ok(std::fs::write(file, text)?)
+}
+
+fn picture(
+    text: &mut String,
+    [title, x_label, y_label]: [&str; 3],
+    (min, max, top): (f64, f64, f64),
+    curves: &[Curve],
+) -> Result<(), Box<dyn std::error::Error>> {
+    let area = SVGBackend::with_string(text, (900, 560)).into_drawing_area();
+    area.fill(&WHITE)?;
+    let mut chart = ChartBuilder::on(&area)
+        .caption(title, ("sans-serif", 20))
+        .margin(12)
+        .x_label_area_size(50)
+        .y_label_area_size(65)
+        .build_cartesian_2d((min..max * 1.1).log_scale(), 0.0..top)?;
+    chart
+        .configure_mesh()
+        .x_desc(x_label)
+        .y_desc(y_label)
+        .label_style(FONT)
+        .axis_desc_style(FONT)
+        .x_label_formatter(&|x| short(*x))
+        .y_label_formatter(&|y| format!("{y:.0}"))
+        .light_line_style(WHITE)
+        .draw()?;
+    for (i, curve) in curves.iter().enumerate() {
+        let color = HSLColor(i as f64 / curves.len() as f64, 0.8, 0.4);
+        let line = chart.draw_series(LineSeries::new(curve.points.iter().copied(), color.stroke_width(2)))?;
+        let sample = move |(x, y)| PathElement::new([(x, y), (x + 20, y)], color.stroke_width(2));
+        line.label(&curve.name).legend(sample);
+        chart.draw_series(curve.points.iter().map(|p| Circle::new(*p, 3, color.filled())))?;
+    }
+    let mut legend = chart.configure_series_labels();
+    legend
+        .label_font(FONT)
+        .position(SeriesLabelPosition::UpperLeft)
+        .background_style(WHITE)
+        .border_style(BLACK)
+        .draw()?;
+    area.present()?;
+    Ok(())
+}
+
+/// A count with k for thousands and M for millions.
+fn short(x: f64) -> String {
+    match x {
+        x if x >= 1e6 => format!("{:.0} M", x / 1e6),
+        x if x >= 1e3 => format!("{:.0} k", x / 1e3),
+        x => format!("{x:.0}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_curve_is_in_the_file() {
+        let file = std::env::temp_dir().join(format!("raysteps-plot-{}.svg", std::process::id()));
+        let curve = |name: &str, y| Curve { name: name.to_owned(), points: vec![(1e3, y), (1e6, 2.0 * y)] };
+        draw(&file, ["costs", "triangles", "ns"], &[curve("red", 1.0), curve("blue", 2.0)]).unwrap();
+        let text = std::fs::read_to_string(&file).unwrap();
+        std::fs::remove_file(&file).unwrap();
+        assert!(
+            ["costs", "triangles", "ns", "red", "blue", "100 k", "1 M"]
+                .iter()
+                .all(|word| text.contains(word))
+        );
+        assert!(text.matches("<polyline").count() >= 2 && text.trim_end().ends_with("</svg>"));
+        assert!(draw(&file, ["", "", ""], &[]).is_err() && !file.exists());
+    }
+}
