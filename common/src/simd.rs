@@ -7,6 +7,12 @@
 pub use fearless_simd::{Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f32x8};
 use std::sync::OnceLock;
 
+/// Asks the memory for the cache line in which an array begins, without waiting for it.
+#[inline(always)]
+pub fn prefetch<T>(array: &[T]) {
+    prefetch_index::prefetch_index(array, 0);
+}
+
 static LEVEL: OnceLock<Level> = OnceLock::new();
 
 /// The instruction set in use: what [`restrict`] chose, else the best that the processor has.

@@ -103,35 +103,49 @@ impl Job<'_> {
         mut best: Option<Hit>,
         counters: &mut Counters,
     ) -> Option<Hit> {
+        let mut last = best.map_or(self.interval.max, |b: Hit| b.t);
         for block in blocks {
-            best = self.nearest_of(simd, block, block.len(), best, counters);
+            last = self.nearest_of(simd, block, block.len(), last, &mut best, counters);
         }
         best
     }
 
-    /// The better of `best` and the nearest hit among the first `len` triangles of a block.
+    /// Puts the better of `best` and the nearest hit among the first `len` triangles of a block
+    /// into `best`. Hits later than `last` do not matter; returns a new such bound, which does
+    /// not wait for the exact test where the filter is certain.
     #[inline(always)]
     pub fn nearest_of<S: Simd>(
         &self,
         simd: S,
         block: &TriangleBlock,
         len: usize,
-        best: Option<Hit>,
+        mut last: f32,
+        best: &mut Option<Hit>,
         counters: &mut Counters,
-    ) -> Option<Hit> {
+    ) -> f32 {
         counters.intersections += len as u64;
-        // Up to and including the best t: an equal t with a lower number still wins.
-        let max = best.map_or(self.interval.max, |b: Hit| b.t);
-        let possible = block.judge(simd, self.filter, Interval { max, ..self.interval }).possible & used(len);
+        // Up to and including the last t: an equal t with a lower number still wins.
+        let verdict = block.judge(simd, self.filter, Interval { max: last, ..self.interval });
+        let possible = verdict.possible & used(len);
         if possible == 0 {
-            return best;
+            return last;
         }
         counters.exact_tests += u64::from(possible.count_ones());
-        let (ray, interval) = (self.ray, self.interval);
-        simd.vectorize(
+        let (ray, interval, before) = (self.ray, self.interval, *best);
+        *best = simd.vectorize(
             #[inline(always)]
-            || decide(ray, interval, block, possible, best),
-        )
+            || decide(ray, interval, block, possible, before),
+        );
+        if verdict.certain == 0 {
+            return best.map_or(last, |b| b.t);
+        }
+        let mut lanes = verdict.certain;
+        while lanes != 0 {
+            let lane = lanes.trailing_zeros() as usize % LANES;
+            lanes &= lanes - 1;
+            last = if verdict.latest[lane] < last { verdict.latest[lane] } else { last };
+        }
+        last
     }
 
     /// Whether any triangle of the blocks is hit.

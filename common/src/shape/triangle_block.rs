@@ -23,7 +23,7 @@
 
 use crate::math::{Bounds, Interval, Vec3, Vec3A};
 use crate::ray::Ray;
-use crate::simd::{Simd, SimdBase, SimdFloat, SimdMask, Select, f32x8};
+use crate::simd::{self, Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// How many triangles a block holds.
 pub const LANES: usize = 8;
@@ -41,12 +41,15 @@ pub struct TriangleBlock {
 }
 
 /// What the filter says about the lanes of a block, a bit for each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
     /// Lanes that it cannot discard.
     pub possible: u32,
     /// Those of them that are hit inside the interval beyond doubt.
     pub certain: u32,
+    /// Where those that are certain are hit at the latest; meaningless for the others. Known long
+    /// before the exact test has its answer, so that the search can go on meanwhile.
+    pub latest: [f32; LANES],
 }
 
 impl TriangleBlock {
@@ -86,6 +89,17 @@ impl TriangleBlock {
         self.index[to] = self.index[from];
     }
 
+    /// Asks the memory for it, without waiting.
+    #[inline(always)]
+    pub fn prefetch(&self) {
+        // Two coordinates to a cache line.
+        let coordinates = self.corner.as_flattened();
+        for pair in 0..4 {
+            simd::prefetch(&coordinates[2 * pair]);
+        }
+        simd::prefetch(&coordinates[8]);
+    }
+
     /// How many lanes are in use, 1 to 8.
     #[inline(always)]
     #[expect(clippy::len_without_is_empty, reason = "a block is never empty")]
@@ -100,7 +114,8 @@ impl TriangleBlock {
     /// The corners of one lane.
     #[inline]
     pub fn vertices(&self, lane: usize) -> [Vec3; 3] {
-        let at = |v: usize| Vec3::new(self.corner[v][0][lane], self.corner[v][1][lane], self.corner[v][2][lane]);
+        let at =
+            |v: usize| Vec3::new(self.corner[v][0][lane], self.corner[v][1][lane], self.corner[v][2][lane]);
         [at(0), at(1), at(2)]
     }
 
@@ -148,7 +163,9 @@ impl TriangleBlock {
             | (high.simd_lt(-weight_error) & v0.simd_lt(-rest_error));
         let between = after_start.simd_gt(depth_error) & before_end.simd_gt(depth_error);
         let certain = inside & sure & between;
-        Verdict { possible: possible.to_bitmask() as u32, certain: certain.to_bitmask() as u32 }
+        let mut latest = [0.0; LANES];
+        ((height + depth_error) / (size - along_error)).store_slice(&mut latest);
+        Verdict { possible: possible.to_bitmask() as u32, certain: certain.to_bitmask() as u32, latest }
     }
 
     #[inline(always)]
@@ -173,11 +190,7 @@ fn minus<S: Simd>(a: [f32x8<S>; 3], b: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
 
 #[inline(always)]
 fn cross<S: Simd>(a: [f32x8<S>; 3], b: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
-    [
-        a[1].mul_sub(b[2], a[2] * b[1]),
-        a[2].mul_sub(b[0], a[0] * b[2]),
-        a[0].mul_sub(b[1], a[1] * b[0]),
-    ]
+    [a[1].mul_sub(b[2], a[2] * b[1]), a[2].mul_sub(b[0], a[0] * b[2]), a[0].mul_sub(b[1], a[1] * b[0])]
 }
 
 #[inline(always)]
@@ -253,5 +266,12 @@ impl Errors {
             depth: 256.0 * UNIT * far,
             floor: largest * largest * 2f32.powi(-120),
         }
+    }
+
+    /// By how much of t two hits must differ for their order to be certain, beside the rounding
+    /// of t itself; as [`crate::shape::ExactRay::margin`], but not smaller.
+    #[inline(always)]
+    pub fn margin(&self) -> f32 {
+        self.reach * 2f32.powi(-20)
     }
 }

@@ -34,17 +34,20 @@ impl Bvh<'_> {
         &self,
         simd: S,
         bundle: &Bundle,
+        stack: &mut Stack,
         best: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
         let Bundle { packet, frustum, rays, asked, interval } = *bundle;
+        let mut last: Lanes = [f32::NEG_INFINITY; RAYS];
         let mut limits: Lanes = [f32::NEG_INFINITY; RAYS];
         let mut max = f32::NEG_INFINITY;
         for lane in lanes_of(asked) {
-            limits[lane] = limit(best[lane].map_or(interval.max, |b| b.t), packet.margin(lane));
+            last[lane] = best[lane].map_or(interval.max, |b| b.t);
+            limits[lane] = limit(last[lane], packet.margin(lane));
             max = max.max(limits[lane]);
         }
-        let mut stack = Stack::new();
+        stack.clear();
         let mut at = Waiting { enter: [0.0; WIDTH], node: 0, lanes: 0 };
         at.lanes = frustum.meet(simd, &self.nodes[0], interval.min, max, &mut at.enter);
         c.cells += 1;
@@ -58,6 +61,9 @@ impl Bvh<'_> {
             let node = &self.nodes[at.node];
             let child = first_child(at.lanes, node.axis, frustum.backward);
             at.lanes &= !(1 << child);
+            if self.is_large() {
+                self.prefetch(node.child[first_child(at.lanes, node.axis, frustum.backward)]);
+            }
             let held = node.child[child].held();
             if let Held::Node(below) = held {
                 stack.push(&at);
@@ -69,18 +75,21 @@ impl Bvh<'_> {
             let meeting = packet.rays_meeting(simd, node, child, frustum.backward, interval.min, &limits);
             for lane in lanes_of(meeting & asked) {
                 let ray = &rays[lane];
-                best[lane] = match held {
+                match held {
                     Held::Block(index, len) => {
                         let job = Job { filter: &packet.filter(lane), ray, interval };
-                        job.nearest_of(simd, &self.blocks[index], len, best[lane], c)
+                        let block = &self.blocks[index];
+                        last[lane] = job.nearest_of(simd, block, len, last[lane], &mut best[lane], c);
                     }
                     Held::Solids(first, count) => {
-                        let solids = self.solids[first..first + count].iter().copied();
-                        self.geometry.nearest_solid(solids, &ExactRay::new(ray), interval, best[lane], c)
+                        let (solids, exact) = (&self.solids[first..first + count], ExactRay::new(ray));
+                        let solids = solids.iter().copied();
+                        best[lane] = self.geometry.nearest_solid(solids, &exact, interval, best[lane], c);
+                        last[lane] = best[lane].map_or(last[lane], |b| b.t.min(last[lane]));
                     }
-                    Held::Node(_) => best[lane],
-                };
-                limits[lane] = limit(best[lane].map_or(interval.max, |b| b.t), packet.margin(lane));
+                    Held::Node(_) => {}
+                }
+                limits[lane] = limit(last[lane], packet.margin(lane));
             }
             max = limits.iter().fold(f32::NEG_INFINITY, |m, &l| if l > m { l } else { m });
             at.lanes &= entered_before(simd, &at.enter, max);
@@ -89,7 +98,13 @@ impl Bvh<'_> {
 
     /// A bit for each of the asked rays that hits anything.
     #[inline(always)]
-    pub(super) fn any_together<S: Simd>(&self, simd: S, bundle: &Bundle, c: &mut Counters) -> u32 {
+    pub(super) fn any_together<S: Simd>(
+        &self,
+        simd: S,
+        bundle: &Bundle,
+        stack: &mut Stack,
+        c: &mut Counters,
+    ) -> u32 {
         let Bundle { packet, frustum, rays, asked, interval } = *bundle;
         let mut limits: Lanes = [f32::NEG_INFINITY; RAYS];
         let mut max = f32::NEG_INFINITY;
@@ -98,7 +113,7 @@ impl Bvh<'_> {
             max = max.max(limits[lane]);
         }
         let mut hit = 0;
-        let mut stack = Stack::new();
+        stack.clear();
         let mut at = Waiting { enter: [0.0; WIDTH], node: 0, lanes: 0 };
         at.lanes = frustum.meet(simd, &self.nodes[0], interval.min, max, &mut at.enter);
         c.cells += 1;
@@ -110,6 +125,9 @@ impl Bvh<'_> {
             let node = &self.nodes[at.node];
             let child = first_child(at.lanes, node.axis, frustum.backward);
             at.lanes &= !(1 << child);
+            if self.is_large() {
+                self.prefetch(node.child[first_child(at.lanes, node.axis, frustum.backward)]);
+            }
             let held = node.child[child].held();
             if let Held::Node(below) = held {
                 stack.push(&at);

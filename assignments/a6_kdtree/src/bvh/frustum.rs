@@ -101,9 +101,9 @@ impl Frustum {
 #[inline(always)]
 fn range(lanes: &Lanes) -> (f32, f32) {
     let (mut low, mut high) = (lanes[0], lanes[0]);
-    for lane in 1..RAYS {
-        low = if lanes[lane] < low { lanes[lane] } else { low };
-        high = if lanes[lane] > high { lanes[lane] } else { high };
+    for &x in lanes {
+        low = if x < low { x } else { low };
+        high = if x > high { x } else { high };
     }
     (low, high)
 }

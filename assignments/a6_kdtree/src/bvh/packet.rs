@@ -5,14 +5,12 @@
 //! and origin o along one axis, s·i − o·i carries at most u·(B + |o|)·|i| from the inverse, the
 //! two products and the difference each; 8u·(B + |o|)·|i| is taken, and folded into o·i once for
 //! each ray.
-//!
-//! Everything is written as loops over the rays, which the compiler turns into vector code.
 
 use super::wide::{WIDTH, WideNode};
-use common::math::{Bounds, Interval};
+use common::math::{Bounds, Interval, Vec3};
 use common::ray::Ray;
 use common::shape::triangle_block::{Errors, Filter};
-use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// Rays in a packet.
 pub const RAYS: usize = 8;
@@ -38,9 +36,9 @@ pub struct Packet<const N: usize = RAYS> {
     /// Bound of the error of where the ray meets a side, in units of t.
     pub error: [Lanes<N>; 3],
     /// Origin times inverse, made larger by the error …
-    near_offset: [Lanes<N>; 3],
+    pub near_offset: [Lanes<N>; 3],
     /// … and smaller.
-    far_offset: [Lanes<N>; 3],
+    pub far_offset: [Lanes<N>; 3],
     /// Farthest any triangle can be along any axis, and largest component of the direction.
     far: Lanes<N>,
     step: Lanes<N>,
@@ -48,63 +46,118 @@ pub struct Packet<const N: usize = RAYS> {
     pub backward: [u32; N],
 }
 
-impl<const N: usize> Packet<N> {
-    /// Prepares one to `N` usable rays for a tree within `bounds`; unused places repeat the last.
+impl Packet {
+    /// Prepares one to eight usable rays for a tree within `bounds`; unused places repeat the
+    /// last.
     #[inline(always)]
-    pub fn new(rays: &[Ray], bounds: &Bounds) -> Self {
-        let zero = [[0.0; N]; 3];
-        let mut packet = Self {
-            origin: zero,
-            direction: zero,
-            inverse: zero,
-            error: zero,
-            near_offset: zero,
-            far_offset: zero,
-            far: [0.0; N],
-            step: [0.0; N],
-            backward: [0; N],
-        };
-        for lane in 0..N {
+    pub fn of<S: Simd>(simd: S, rays: &[Ray], bounds: &Bounds) -> Self {
+        let mut packet = Self::EMPTY;
+        for lane in 0..RAYS {
             let ray = &rays[if lane < rays.len() { lane } else { rays.len() - 1 }];
             for axis in 0..3 {
                 packet.origin[axis][lane] = ray.origin[axis];
                 packet.direction[axis][lane] = ray.direction[axis];
             }
         }
+        let (mut far, mut step) = (f32x8::splat(simd, 0.0), f32x8::splat(simd, 0.0));
         for axis in 0..3 {
-            packet.prepare(axis, bounds.min[axis], bounds.max[axis]);
+            let [o, d] = [&packet.origin, &packet.direction].map(|v| f32x8::from_slice(simd, &v[axis]));
+            let [min, max] = [bounds.min, bounds.max].map(|corner| f32x8::splat(simd, corner[axis]));
+            let slab = Slabs::new(simd, o, d, min, max);
+            slab.inverse.store_slice(&mut packet.inverse[axis]);
+            slab.error.store_slice(&mut packet.error[axis]);
+            slab.near_offset.store_slice(&mut packet.near_offset[axis]);
+            slab.far_offset.store_slice(&mut packet.far_offset[axis]);
+            far = far.max(slab.far);
+            step = step.max(d.abs());
+            let backward = slab.inverse.simd_lt(f32x8::splat(simd, 0.0)).to_bitmask() as u32;
+            for lane in 0..RAYS {
+                packet.backward[lane] |= (backward >> lane & 1) << axis;
+            }
         }
-        let mut ordinary = true;
-        for lane in 0..N {
-            ordinary &= packet.far[lane] < ORDINARY * packet.step[lane];
+        far.store_slice(&mut packet.far);
+        step.store_slice(&mut packet.step);
+        let ordinary = far.simd_lt(step * f32x8::splat(simd, ORDINARY)).to_bitmask() as u32;
+        if ordinary != (1 << RAYS) - 1 {
+            packet.give_up();
         }
+        packet
+    }
+}
+
+impl Packet<1> {
+    /// Prepares one usable ray for a tree within `bounds`.
+    #[inline(always)]
+    pub fn alone<S: Simd>(simd: S, ray: &Ray, bounds: &Bounds) -> Self {
+        let axes =
+            |v: Vec3, last: f32| f32x8::from_slice(simd, &[v.x, v.y, v.z, last, last, last, last, last]);
+        let d = axes(ray.direction, 1.0);
+        let slab = Slabs::new(simd, axes(ray.origin, 0.0), d, axes(bounds.min, 0.0), axes(bounds.max, 0.0));
+        let mut lanes = [0.0; RAYS];
+        let mut by_axis = |v: f32x8<S>| {
+            v.store_slice(&mut lanes);
+            [[lanes[0]], [lanes[1]], [lanes[2]]]
+        };
+        let far = by_axis(slab.far);
+        let mut packet = Self {
+            origin: [[ray.origin.x], [ray.origin.y], [ray.origin.z]],
+            direction: [[ray.direction.x], [ray.direction.y], [ray.direction.z]],
+            inverse: by_axis(slab.inverse),
+            error: by_axis(slab.error),
+            near_offset: by_axis(slab.near_offset),
+            far_offset: by_axis(slab.far_offset),
+            far: [greater(greater(far[0][0], far[1][0]), far[2][0])],
+            step: [ray.direction.abs().max_element()],
+            backward: [slab.inverse.simd_lt(f32x8::splat(simd, 0.0)).to_bitmask() as u32 & 7],
+        };
+        let ordinary = packet.far[0] < ORDINARY * packet.step[0];
         if !ordinary {
             packet.give_up();
         }
         packet
     }
+}
 
+/// Eight slabs and the rays that meet them.
+struct Slabs<S: Simd> {
+    inverse: f32x8<S>,
+    error: f32x8<S>,
+    near_offset: f32x8<S>,
+    far_offset: f32x8<S>,
+    /// Distance of the farther side from the origin.
+    far: f32x8<S>,
+}
+
+impl<S: Simd> Slabs<S> {
     #[inline(always)]
-    fn prepare(&mut self, axis: usize, min: f32, max: f32) {
-        let side = greater(min.abs(), max.abs());
-        for lane in 0..N {
-            let (o, d) = (self.origin[axis][lane], self.direction[axis][lane]);
-            self.far[lane] = greater(self.far[lane], greater((min - o).abs(), (max - o).abs()));
-            self.step[lane] = greater(self.step[lane], d.abs());
-            let size = side + o.abs();
-            // A ray along the slab has no inverse. A large one does for it if the result is
-            // widened by more than all of the ray that matters.
-            let least = greater(size, 1.0) * (1.0 / LARGEST);
-            let inverse = (1.0 / greater(d.abs(), least)).copysign(d);
-            let widened = if d.abs() < least { 2.0 * ORDINARY } else { f32::MIN_POSITIVE };
-            let error = size * inverse.abs() * 2f32.powi(-21) + widened;
-            self.inverse[axis][lane] = inverse;
-            self.error[axis][lane] = error;
-            self.near_offset[axis][lane] = o * inverse + error;
-            self.far_offset[axis][lane] = o * inverse - error;
-            self.backward[lane] |= u32::from(inverse < 0.0) << axis;
-        }
+    fn new(simd: S, o: f32x8<S>, d: f32x8<S>, min: f32x8<S>, max: f32x8<S>) -> Self {
+        let size = min.abs().max(max.abs()) + o.abs();
+        // A ray along the slab has no inverse. A large one does for it if the result is widened
+        // by more than all of the ray that matters.
+        let least = size.max(f32x8::splat(simd, 1.0)) * f32x8::splat(simd, 1.0 / LARGEST);
+        let along = d.abs().simd_lt(least);
+        let inverse = (f32x8::splat(simd, 1.0) / d.abs().max(least)).copysign(d);
+        let widened = along.select(f32x8::splat(simd, 2.0 * ORDINARY), f32x8::splat(simd, f32::MIN_POSITIVE));
+        let error = (size * inverse.abs()).mul_add(f32x8::splat(simd, 2f32.powi(-21)), widened);
+        let near_offset = o.mul_add(inverse, error);
+        let far_offset = o.mul_sub(inverse, error);
+        let far = (min - o).abs().max((max - o).abs());
+        Self { inverse, error, near_offset, far_offset, far }
     }
+}
+
+impl<const N: usize> Packet<N> {
+    const EMPTY: Self = Self {
+        origin: [[0.0; N]; 3],
+        direction: [[0.0; N]; 3],
+        inverse: [[0.0; N]; 3],
+        error: [[0.0; N]; 3],
+        near_offset: [[0.0; N]; 3],
+        far_offset: [[0.0; N]; 3],
+        far: [0.0; N],
+        step: [0.0; N],
+        backward: [0; N],
+    };
 
     /// Lets all rays meet every box.
     #[cold]
@@ -166,7 +219,6 @@ impl<const N: usize> Packet<N> {
             far.mul_sub(inverse, f32x8::splat(simd, self.far_offset[axis][lane])),
         )
     }
-
 }
 
 impl Packet {

@@ -47,16 +47,21 @@ impl Bvh<'_> {
         &self,
         simd: S,
         query: &Query<N>,
+        stack: &mut Stack,
         mut best: Option<Hit>,
         c: &mut Counters,
     ) -> Option<Hit> {
         let Query { packet, lane, ray, interval } = *query;
-        let filter = packet.filter(lane);
+        let filter = &packet.filter(lane);
+        // Hidden, or the compiler would spread all of it out for every ray, while most rays reach
+        // two blocks or none.
+        let filter = std::hint::black_box(filter);
         let margin = packet.margin(lane);
         let backward = packet.backward[lane];
-        let job = Job { filter: &filter, ray, interval };
-        let mut stack = Stack::new();
-        let mut max = limit(best.map_or(interval.max, |b| b.t), margin);
+        let job = Job { filter, ray, interval };
+        stack.clear();
+        let mut last = best.map_or(interval.max, |b| b.t);
+        let mut max = limit(last, margin);
         let mut at = Waiting { enter: [0.0; WIDTH], node: 0, lanes: 0 };
         at.lanes = packet.meet(simd, lane, &self.nodes[0], Interval { max, ..interval }, &mut at.enter);
         c.cells += 1;
@@ -70,6 +75,9 @@ impl Bvh<'_> {
             let node = &self.nodes[at.node];
             let child = first_child(at.lanes, node.axis, backward);
             at.lanes &= !(1 << child);
+            if self.is_large() {
+                self.prefetch(node.child[first_child(at.lanes, node.axis, backward)]);
+            }
             match node.child[child].held() {
                 Held::Node(below) => {
                     stack.push(&at);
@@ -80,26 +88,36 @@ impl Bvh<'_> {
                     continue;
                 }
                 Held::Block(index, len) => {
-                    best = job.nearest_of(simd, &self.blocks[index], len, best, c);
+                    last = job.nearest_of(simd, &self.blocks[index], len, last, &mut best, c);
                 }
                 Held::Solids(first, count) => {
                     let solids = self.solids[first..first + count].iter().copied();
                     best = self.geometry.nearest_solid(solids, &ExactRay::new(ray), interval, best, c);
+                    last = best.map_or(last, |b| if b.t < last { b.t } else { last });
                 }
             }
-            max = limit(best.map_or(interval.max, |b| b.t), margin);
+            max = limit(last, margin);
             at.lanes &= entered_before(simd, &at.enter, max);
         }
     }
 
     /// Whether the ray hits anything.
     #[inline(always)]
-    pub(super) fn any_one<S: Simd, const N: usize>(&self, simd: S, query: &Query<N>, c: &mut Counters) -> bool {
+    pub(super) fn any_one<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        query: &Query<N>,
+        stack: &mut Stack,
+        c: &mut Counters,
+    ) -> bool {
         let Query { packet, lane, ray, interval } = *query;
-        let filter = packet.filter(lane);
+        let filter = &packet.filter(lane);
+        // Hidden, or the compiler would spread all of it out for every ray, while most rays reach
+        // two blocks or none.
+        let filter = std::hint::black_box(filter);
         let backward = packet.backward[lane];
-        let job = Job { filter: &filter, ray, interval };
-        let mut stack = Stack::new();
+        let job = Job { filter, ray, interval };
+        stack.clear();
         let stretch = Interval { max: limit(interval.max, packet.margin(lane)), ..interval };
         let mut at = Waiting { enter: [0.0; WIDTH], node: 0, lanes: 0 };
         at.lanes = packet.meet(simd, lane, &self.nodes[0], stretch, &mut at.enter);
@@ -112,6 +130,9 @@ impl Bvh<'_> {
             let node = &self.nodes[at.node];
             let child = first_child(at.lanes, node.axis, backward);
             at.lanes &= !(1 << child);
+            if self.is_large() {
+                self.prefetch(node.child[first_child(at.lanes, node.axis, backward)]);
+            }
             match node.child[child].held() {
                 Held::Node(below) => {
                     stack.push(&at);

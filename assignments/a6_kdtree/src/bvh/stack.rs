@@ -4,6 +4,7 @@ use super::wide::WIDTH;
 
 /// A node, and which of its children wait.
 #[derive(Clone, Copy)]
+#[repr(align(32))]
 pub struct Waiting {
     /// Where the ray enters each child.
     pub enter: [f32; WIDTH],
@@ -21,8 +22,8 @@ pub struct Stack {
     spill: Vec<Waiting>,
 }
 
-/// Levels kept beside the ray: enough for eight to the sixteenth leaves of a balanced tree.
-const STACK: usize = 16;
+/// Levels kept beside the ray: enough for eight to the twelfth leaves of a balanced tree.
+const STACK: usize = 12;
 
 impl Stack {
     /// An empty stack.
@@ -30,6 +31,13 @@ impl Stack {
     pub fn new() -> Self {
         let nothing = Waiting { enter: [0.0; WIDTH], node: 0, lanes: 0 };
         Self { entries: [nothing; STACK], len: 0, spill: Vec::new() }
+    }
+
+    /// Forgets everything.
+    #[inline(always)]
+    pub fn clear(&mut self) {
+        self.len = 0;
+        self.spill.clear();
     }
 
     /// Puts a node on top; it stays only if children wait.

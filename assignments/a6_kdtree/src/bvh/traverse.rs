@@ -4,6 +4,7 @@ use super::bundle::Bundle;
 use super::frustum::Frustum;
 use super::packet::{Packet, RAYS};
 use super::single::Query;
+use super::stack::Stack;
 use super::wide::Bvh;
 use common::accel::Accel;
 use common::counters::Counters;
@@ -23,14 +24,14 @@ impl Bvh<'_> {
         best: Option<Hit>,
         c: &mut Counters,
     ) -> Option<Hit> {
-        let packet = &Packet::<1>::new(std::slice::from_ref(ray), &self.bounds);
-        self.nearest_one(simd, &Query { packet, lane: 0, ray, interval }, best, c)
+        let packet = &Packet::alone(simd, ray, &self.bounds);
+        self.nearest_one(simd, &Query { packet, lane: 0, ray, interval }, &mut Stack::new(), best, c)
     }
 
     #[inline(always)]
     fn any_alone<S: Simd>(&self, simd: S, ray: &Ray, interval: Interval, c: &mut Counters) -> bool {
-        let packet = &Packet::<1>::new(std::slice::from_ref(ray), &self.bounds);
-        self.any_one(simd, &Query { packet, lane: 0, ray, interval }, c)
+        let packet = &Packet::alone(simd, ray, &self.bounds);
+        self.any_one(simd, &Query { packet, lane: 0, ray, interval }, &mut Stack::new(), c)
     }
 
     #[inline(always)]
@@ -42,41 +43,36 @@ impl Bvh<'_> {
         best: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
+        let mut stack = Stack::new();
         for (rays, best) in rays.chunks(RAYS).zip(best.chunks_mut(RAYS)) {
-            let packet = Packet::<RAYS>::new(rays, &self.bounds);
+            let packet = Packet::of(simd, rays, &self.bounds);
             let asked = usable(rays);
             if let Some(frustum) = self.frustum(&packet, rays.len()) {
                 let bundle = Bundle { packet: &packet, frustum: &frustum, rays, asked, interval };
-                self.nearest_together(simd, &bundle, best, c);
+                self.nearest_together(simd, &bundle, &mut stack, best, c);
                 continue;
             }
             for lane in 0..rays.len() {
                 if asked >> lane & 1 == 1 {
                     let query = Query { packet: &packet, lane, ray: &rays[lane], interval };
-                    best[lane] = self.nearest_one(simd, &query, best[lane], c);
+                    best[lane] = self.nearest_one(simd, &query, &mut stack, best[lane], c);
                 }
             }
         }
     }
 
     #[inline(always)]
-    fn any_in<S: Simd>(
-        &self,
-        simd: S,
-        rays: &[Ray],
-        interval: Interval,
-        hit: &mut [bool],
-        c: &mut Counters,
-    ) {
+    fn any_in<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
+        let mut stack = Stack::new();
         for (rays, hit) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {
-            let packet = Packet::<RAYS>::new(rays, &self.bounds);
+            let packet = Packet::of(simd, rays, &self.bounds);
             let mut asked = usable(rays);
             for (lane, hit) in hit.iter().enumerate() {
                 asked &= !(u32::from(*hit) << lane);
             }
             if let Some(frustum) = self.frustum(&packet, rays.len()) {
                 let bundle = Bundle { packet: &packet, frustum: &frustum, rays, asked, interval };
-                let bits = self.any_together(simd, &bundle, c);
+                let bits = self.any_together(simd, &bundle, &mut stack, c);
                 for (lane, hit) in hit.iter_mut().enumerate() {
                     *hit |= bits >> lane & 1 == 1;
                 }
@@ -85,7 +81,7 @@ impl Bvh<'_> {
             for lane in 0..rays.len() {
                 if asked >> lane & 1 == 1 {
                     let query = Query { packet: &packet, lane, ray: &rays[lane], interval };
-                    hit[lane] = self.any_one(simd, &query, c);
+                    hit[lane] = self.any_one(simd, &query, &mut stack, c);
                 }
             }
         }

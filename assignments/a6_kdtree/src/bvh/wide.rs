@@ -5,6 +5,7 @@ use super::{Binary, BinaryNode};
 use common::geometry::Geometry;
 use common::math::{Bounds, Vec3};
 use common::shape::triangle_block::{LANES, TriangleBlock};
+use common::simd::prefetch;
 
 /// Children of a node.
 pub const WIDTH: usize = 8;
@@ -44,8 +45,6 @@ const SOLIDS: u32 = 2 << 30;
 const INDEX: u32 = (1 << 30) - 1;
 
 impl Child {
-    /// The first node.
-    pub const ROOT: Self = Self(0);
     /// No solids.
     pub const NOTHING: Self = Self(SOLIDS);
 
@@ -81,6 +80,9 @@ pub struct Bvh<'g> {
     pub(super) depth: usize,
 }
 
+/// Nodes of a tree of some 16 MiB.
+const LARGE: usize = 16384;
+
 impl<'g> Bvh<'g> {
     /// Builds the hierarchy; the same whatever the number of threads.
     pub fn new(geometry: &'g Geometry) -> Self {
@@ -88,14 +90,8 @@ impl<'g> Bvh<'g> {
             geometry.triangles().iter().map(|t| Bounds::of_points(*t)).collect();
         let solid_boxes: Vec<Bounds> = geometry.solids().iter().map(|s| roomy(&s.bounds)).collect();
         let bounds = triangle_boxes.iter().chain(&solid_boxes).fold(Bounds::EMPTY, |b, t| b.union(t));
-        let mut bvh = Self {
-            geometry,
-            nodes: Vec::new(),
-            blocks: Vec::new(),
-            solids: Vec::new(),
-            bounds,
-            depth: 0,
-        };
+        let mut bvh =
+            Self { geometry, nodes: Vec::new(), blocks: Vec::new(), solids: Vec::new(), bounds, depth: 0 };
         let trees: Vec<(Binary, u32)> = [(triangle_boxes, BLOCK), (solid_boxes, SOLIDS)]
             .into_iter()
             .filter(|(boxes, _)| !boxes.is_empty())
@@ -103,6 +99,29 @@ impl<'g> Bvh<'g> {
             .collect();
         bvh.collapse_all(&trees);
         bvh
+    }
+
+    /// Whether rays should ask the memory ahead. What fits a processor's caches arrives in time
+    /// anyway.
+    #[inline(always)]
+    pub(super) fn is_large(&self) -> bool {
+        self.nodes.len() > LARGE
+    }
+
+    /// Asks the memory for what a box holds, without waiting.
+    #[inline(always)]
+    pub(super) fn prefetch(&self, child: Child) {
+        match child.held() {
+            Held::Node(index) => {
+                let node = &self.nodes[index];
+                for sides in &node.side {
+                    prefetch(&sides[0]);
+                }
+                prefetch(&node.child);
+            }
+            Held::Block(index, _) => self.blocks[index].prefetch(),
+            Held::Solids(..) => {}
+        }
     }
 
     /// Bytes that it takes.
