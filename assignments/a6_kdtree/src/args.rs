@@ -198,7 +198,7 @@ impl AccelArgs {
         })
     }
 
-    /// Threads that build trees.
+    /// Threads that build a large tree.
     fn threads(&self) -> usize {
         let asked = self.cast().general.program.threads;
         asked.map_or_else(rayon::current_num_threads, |n| n as usize)

@@ -16,15 +16,16 @@ use std::time::{Duration, Instant};
 /// A structure of type `A` and how to build it.
 pub struct Lazy<'g, A, F> {
     geometry: &'g Geometry,
-    threads: usize,
+    pool: Option<usize>,
     build: F,
     built: OnceLock<(A, Duration)>,
 }
 
 impl<'g, A: Accel + Send, F: Fn(&'g Geometry) -> A + Sync> Lazy<'g, A, F> {
-    /// Nothing yet. `build` will run once, in a pool of that many threads, at least one.
-    pub fn new(geometry: &'g Geometry, threads: usize, build: F) -> Self {
-        Self { geometry, threads: threads.max(1), build, built: OnceLock::new() }
+    /// Nothing yet. `build` will run once, in a `pool` of that many threads, at least one;
+    /// without a pool it runs on the thread that asks, and must not hand work to others.
+    pub fn new(geometry: &'g Geometry, pool: Option<usize>, build: F) -> Self {
+        Self { geometry, pool, build, built: OnceLock::new() }
     }
 
     /// The structure, built now if it is not there yet.
@@ -44,21 +45,23 @@ impl<'g, A: Accel + Send, F: Fn(&'g Geometry) -> A + Sync> Lazy<'g, A, F> {
     #[cold]
     fn timed(&self) -> (A, Duration) {
         let started = Instant::now();
-        (self.apart(), started.elapsed())
+        let work = || (self.build)(self.geometry);
+        let structure = self.pool.map_or_else(work, |threads| apart(threads, work));
+        (structure, started.elapsed())
     }
+}
 
-    /// Builds in a pool of its own, called from a thread of no pool. In the pool that renders,
-    /// a part of the build that waits for another would pass its time with the next tile, whose
-    /// rays wait for the build: for ever.
-    fn apart(&self) -> A {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads).build();
-        let pool = pool.unwrap_or_else(|why| panic!("no thread to build with: {why}"));
-        let work = || pool.install(|| (self.build)(self.geometry));
-        if rayon::current_thread_index().is_none() {
-            return work();
-        }
-        thread::scope(|scope| scope.spawn(work).join()).unwrap_or_else(|panic| resume_unwind(panic))
+/// Does the work in a pool of its own, called from a thread of no pool. In the pool that renders,
+/// a part of a build that waits for another would pass its time with the next tile, whose rays
+/// wait for the build: for ever.
+fn apart<T: Send>(threads: usize, work: impl Fn() -> T + Sync) -> T {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.max(1)).build();
+    let pool = pool.unwrap_or_else(|why| panic!("no thread to build with: {why}"));
+    let work = || pool.install(&work);
+    if rayon::current_thread_index().is_none() {
+        return work();
     }
+    thread::scope(|scope| scope.spawn(work).join()).unwrap_or_else(|panic| resume_unwind(panic))
 }
 
 impl<'g, A: Accel + Send, F: Fn(&'g Geometry) -> A + Sync> Accel for Lazy<'g, A, F> {

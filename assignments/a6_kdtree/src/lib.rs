@@ -54,6 +54,7 @@ pub fn run(args: &AccelArgs) -> Result<(), AppError> {
         Some(tree) => draw_boxes(args, &studio, tree, &mut report)?,
         None => draw_scene(args, &studio, &scene, &tracer, &mut report)?,
     }
+    report.cells = tracer.cells();
     report.notes.extend(tracer.figures(&report.counters));
     report.print_if_wanted(args.cast());
     Ok(())

@@ -9,6 +9,13 @@ use common::counters::Counters;
 use common::geometry::Geometry;
 use std::time::Duration;
 
+/// Trees over fewer primitives are built by one thread: waking another costs as much.
+const WORTH_THREADS: usize = 2048;
+
+fn is_small(geometry: &Geometry) -> bool {
+    geometry.triangles().len() + geometry.solids().len() < WORTH_THREADS
+}
+
 type Build<'g, A> = Box<dyn Fn(&'g Geometry) -> A + Send + Sync + 'g>;
 
 /// A kd-tree that is built when the first ray asks.
@@ -27,16 +34,19 @@ pub enum Tracer<'g> {
 }
 
 impl<'g> Tracer<'g> {
-    /// A kd-tree, built by that many threads.
+    /// A kd-tree, built by that many threads if it is large.
     pub fn with_kd_tree(geometry: &'g Geometry, threads: usize, options: Options) -> Self {
         let build: Build<'g, KdTree<'g>> = Box::new(move |geometry| KdTree::new(geometry, options));
-        Self::KdTree(Box::new(Lazy::new(geometry, threads, build)), options)
+        // Also a small one hands its three axes to others.
+        let pool = if is_small(geometry) { 1 } else { threads };
+        Self::KdTree(Box::new(Lazy::new(geometry, Some(pool), build)), options)
     }
 
-    /// The hierarchy, built by that many threads.
+    /// The hierarchy, built by that many threads if it is large.
     pub fn with_bvh(geometry: &'g Geometry, threads: usize) -> Self {
         let build: Build<'g, Bvh<'g>> = Box::new(Bvh::new);
-        Self::Bvh(Box::new(Lazy::new(geometry, threads, build)))
+        let pool = (!is_small(geometry)).then_some(threads);
+        Self::Bvh(Box::new(Lazy::new(geometry, pool, build)))
     }
 
     /// The structure behind the common seam.
@@ -52,6 +62,14 @@ impl<'g> Tracer<'g> {
     pub fn kd_tree(&self) -> Option<&LazyTree<'g>> {
         match self {
             Self::KdTree(tree, _) => Some(tree),
+            _ => None,
+        }
+    }
+
+    /// Cells along each axis if it is a grid.
+    pub fn cells(&self) -> Option<[u32; 3]> {
+        match self {
+            Self::Lower(Structure::Grid(grid)) => Some(grid.cells().count.map(|n| n as u32)),
             _ => None,
         }
     }
