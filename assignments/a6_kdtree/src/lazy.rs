@@ -16,16 +16,15 @@ use std::time::{Duration, Instant};
 /// A structure of type `A` and how to build it.
 pub struct Lazy<'g, A, F> {
     geometry: &'g Geometry,
-    pool: Option<usize>,
+    threads: usize,
     build: F,
     built: OnceLock<(A, Duration)>,
 }
 
 impl<'g, A: Accel + Send, F: Fn(&'g Geometry) -> A + Sync> Lazy<'g, A, F> {
-    /// Nothing yet. `build` will run once, in a `pool` of that many threads, at least one;
-    /// without a pool it runs on the thread that asks, and must not hand work to others.
-    pub fn new(geometry: &'g Geometry, pool: Option<usize>, build: F) -> Self {
-        Self { geometry, pool, build, built: OnceLock::new() }
+    /// Nothing yet. `build` will run once, in a pool of that many threads, at least one.
+    pub fn new(geometry: &'g Geometry, threads: usize, build: F) -> Self {
+        Self { geometry, threads, build, built: OnceLock::new() }
     }
 
     /// The structure, built now if it is not there yet.
@@ -45,8 +44,7 @@ impl<'g, A: Accel + Send, F: Fn(&'g Geometry) -> A + Sync> Lazy<'g, A, F> {
     #[cold]
     fn timed(&self) -> (A, Duration) {
         let started = Instant::now();
-        let work = || (self.build)(self.geometry);
-        let structure = self.pool.map_or_else(work, |threads| apart(threads, work));
+        let structure = apart(self.threads, || (self.build)(self.geometry));
         (structure, started.elapsed())
     }
 }

@@ -12,8 +12,10 @@ use std::time::Duration;
 /// Trees over fewer primitives are built by one thread: waking another costs as much.
 const WORTH_THREADS: usize = 2048;
 
-fn is_small(geometry: &Geometry) -> bool {
-    geometry.triangles().len() + geometry.solids().len() < WORTH_THREADS
+/// How many of the threads to build with.
+fn builders(geometry: &Geometry, threads: usize) -> usize {
+    let finite = geometry.triangles().len() + geometry.solids().len();
+    if finite < WORTH_THREADS { 1 } else { threads }
 }
 
 type Build<'g, A> = Box<dyn Fn(&'g Geometry) -> A + Send + Sync + 'g>;
@@ -37,16 +39,13 @@ impl<'g> Tracer<'g> {
     /// A kd-tree, built by that many threads if it is large.
     pub fn with_kd_tree(geometry: &'g Geometry, threads: usize, options: Options) -> Self {
         let build: Build<'g, KdTree<'g>> = Box::new(move |geometry| KdTree::new(geometry, options));
-        // Also a small one hands its three axes to others.
-        let pool = if is_small(geometry) { 1 } else { threads };
-        Self::KdTree(Box::new(Lazy::new(geometry, Some(pool), build)), options)
+        Self::KdTree(Box::new(Lazy::new(geometry, builders(geometry, threads), build)), options)
     }
 
     /// The hierarchy, built by that many threads if it is large.
     pub fn with_bvh(geometry: &'g Geometry, threads: usize) -> Self {
         let build: Build<'g, Bvh<'g>> = Box::new(Bvh::new);
-        let pool = (!is_small(geometry)).then_some(threads);
-        Self::Bvh(Box::new(Lazy::new(geometry, pool, build)))
+        Self::Bvh(Box::new(Lazy::new(geometry, builders(geometry, threads), build)))
     }
 
     /// The structure behind the common seam.

@@ -20,7 +20,7 @@ fn counted<'a>(
     geometry: &'a Geometry,
     builds: &'a AtomicUsize,
 ) -> Lazy<'a, KdTree<'a>, impl Fn(&'a Geometry) -> KdTree<'a> + Sync> {
-    Lazy::new(geometry, Some(2), move |geometry| {
+    Lazy::new(geometry, 2, move |geometry| {
         builds.fetch_add(1, Ordering::Relaxed);
         KdTree::new(geometry, Options::default())
     })
@@ -57,7 +57,7 @@ fn a6t5_a_build_in_parallel_inside_parallel_work() {
     let (done, wait) = mpsc::channel();
     thread::spawn(move || {
         let (geometry, both_run, asked) = (lumpy_ball(2), Barrier::new(3), AtomicBool::new(false));
-        let lazy = Lazy::new(&geometry, Some(2), |geometry| {
+        let lazy = Lazy::new(&geometry, 2, |geometry| {
             let first = || {
                 both_run.wait();
                 while !asked.load(Ordering::Acquire) {
