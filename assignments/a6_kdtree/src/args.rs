@@ -1,8 +1,8 @@
 //! The flags of assignment 6, on top of those of assignments 1 to 5.
 
-use crate::Tracer;
 use crate::kdtree::{MAX_DEPTH, Options, Rule};
 use crate::picture::Heat;
+use crate::tracer::{Tracer, finite};
 use a1_ray_casting::{CastArgs, Picture};
 use a5_grid::{Cells, GridArgs, Structure};
 use common::accel::List;
@@ -111,8 +111,10 @@ impl AccelArgs {
             return usage("-accel grid needs -grid NX NY NZ");
         }
         self.warn_of_structures();
-        if self.visualize_kdtree && (self.grid.whitted.shadows || self.grid.whitted.bounces.is_some()) {
-            cli::warn("-shadows and -bounces have no effect on the picture of boxes");
+        let whitted = &self.grid.whitted;
+        let followed = whitted.shadows || whitted.bounces.is_some() || whitted.trace.is_some();
+        if self.visualize_kdtree && followed {
+            cli::warn("-shadows, -bounces and -trace have no effect with -visualize_kdtree");
         }
         self.grid.check()
     }
@@ -182,11 +184,10 @@ impl AccelArgs {
         geometry: &'g Geometry,
         cells: Option<Cells>,
     ) -> Result<Tracer<'g>, AppError> {
-        let finite = geometry.triangles().len() + geometry.solids().len();
         let choice = match (self.accel, &cells) {
             _ if self.takes_tree() => Choice::Kdtree,
             (Choice::Auto, Some(_)) => Choice::Grid,
-            (Choice::Auto, None) if finite < WORTH_A_TREE => Choice::List,
+            (Choice::Auto, None) if finite(geometry) < WORTH_A_TREE => Choice::List,
             (Choice::Auto, None) => Choice::Bvh,
             (choice, _) => choice,
         };

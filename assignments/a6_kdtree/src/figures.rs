@@ -2,6 +2,7 @@
 
 use crate::bvh::Bvh;
 use crate::kdtree::{KdTree, Options, STEP};
+use crate::tracer::finite;
 use a5_grid::Grid;
 use common::accel::Accel;
 use common::counters::Counters;
@@ -11,10 +12,6 @@ use common::shape::triangle_block::LANES;
 /// A line of the report, its value in the column of the others.
 fn line(name: &str, value: impl std::fmt::Display) -> String {
     format!("{name:<36} {value}")
-}
-
-fn finite(geometry: &Geometry) -> usize {
-    geometry.triangles().len() + geometry.solids().len()
 }
 
 /// `None` if there is nothing to divide by.
@@ -46,8 +43,7 @@ pub fn not_built(name: &str) -> Vec<String> {
 /// The list of all primitives, for which nothing was built.
 pub fn of_list(geometry: &Geometry) -> Vec<String> {
     let (finite, sheets) = (finite(geometry), geometry.sheets().len());
-    let planes = if sheets > 0 { format!(" and {sheets} planes or discs") } else { String::new() };
-    vec![line("structure", format!("list, no tree: {finite} primitives{planes}"))]
+    vec![line("structure", format!("list, no tree; finite primitives {finite}, planes and discs {sheets}"))]
 }
 
 /// The grid of assignment 5.

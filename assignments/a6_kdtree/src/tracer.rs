@@ -12,10 +12,14 @@ use std::time::Duration;
 /// Trees over fewer primitives are built by one thread: waking another costs as much.
 const WORTH_THREADS: usize = 2048;
 
+/// Primitives that a tree can hold: all but planes and discs.
+pub fn finite(geometry: &Geometry) -> usize {
+    geometry.triangles().len() + geometry.solids().len()
+}
+
 /// How many of the threads to build with.
 fn builders(geometry: &Geometry, threads: usize) -> usize {
-    let finite = geometry.triangles().len() + geometry.solids().len();
-    if finite < WORTH_THREADS { 1 } else { threads }
+    if finite(geometry) < WORTH_THREADS { 1 } else { threads }
 }
 
 type Build<'g, A> = Box<dyn Fn(&'g Geometry) -> A + Send + Sync + 'g>;

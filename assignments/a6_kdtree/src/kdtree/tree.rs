@@ -12,8 +12,8 @@ use std::ops::Range;
 ///
 /// `word` holds the axis in its low two bits and the place of the lower child above them, the
 /// upper child following; axis 3 marks a leaf, with the place of its first block there and the
-/// number of its blocks in `data`. A leaf that holds solids has [`MIXED`] set in `data` and
-/// names a [`Mixed`] instead. Else `data` holds the plane's `f32`.
+/// number of its blocks in `data`. A leaf that holds solids has `MIXED` set in `data` and
+/// names a `Mixed` instead. Else `data` holds the plane's `f32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Node {
     data: u32,

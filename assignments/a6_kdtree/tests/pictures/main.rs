@@ -16,7 +16,7 @@ use common::mesh::{Mesh, MeshError};
 use common::picture::{Film, Size, Transfer, read};
 use common::scene::{MeshSource, load, parse_str};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
 use std::sync::Arc;
 
 /// Flags as typed; the scene is called `none`.
@@ -66,15 +66,12 @@ fn out_of_sight() -> String {
     )
 }
 
-/// Runs the program; `@` in the flags stands for the folder.
-fn run(folder: &Path, flags: &str) -> Output {
-    let flags = flags.replace('@', &folder.display().to_string());
-    Command::new(env!("CARGO_BIN_EXE_a6_kdtree")).args(flags.split_whitespace()).output().unwrap()
-}
-
-/// Runs the program, which must succeed, and returns what it printed.
+/// Runs the program, which must succeed, and returns what it printed; `@` in the flags stands for
+/// the folder.
 fn printed(folder: &Path, flags: &str) -> String {
-    let output = run(folder, flags);
+    let flags = flags.replace('@', &folder.display().to_string());
+    let mut program = Command::new(env!("CARGO_BIN_EXE_a6_kdtree"));
+    let output = program.args(flags.split_whitespace()).output().unwrap();
     assert!(output.status.success(), "{flags}\n{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
 }

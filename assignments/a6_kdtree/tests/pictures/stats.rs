@@ -90,7 +90,7 @@ fn a6t5_a_handful_needs_no_tree() {
     };
     let geometry = scene("scene5_04_plane_test.txt");
     let (finite, planes) = (geometry.triangles().len() + geometry.solids().len(), geometry.sheets().len());
-    let line = format!("list, no tree: {finite} primitives and {planes} planes or discs");
+    let line = format!("list, no tree; finite primitives {finite}, planes and discs {planes}");
     assert!(finite < 16 && planes > 0 && stats("").contains(&line), "{}", stats(""));
     let grid = stats("-grid 3 4 5");
     assert!(grid.contains("grid, 60 cells") && grid.contains("60 (3x4x5)"), "{grid}");
