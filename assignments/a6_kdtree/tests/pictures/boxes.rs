@@ -1,6 +1,6 @@
 //! The picture of the leaves' boxes against all boxes, and against the scene that they hold.
 
-use crate::world::{lumpy_ball, rays, scene, scenes};
+use crate::world::{geometry, lumpy_ball, rays, scene, scenes};
 use crate::{args, file, picture, printed, studio_of};
 use a6_kdtree::kdtree::{KdTree, Options, Rule};
 use a6_kdtree::picture::{BoxPicture, Entered, first_box};
@@ -82,6 +82,42 @@ fn a6t5_the_first_box_is_the_first_of_all_boxes() {
         }
     }
     assert!(met > 5000 && inside > 100, "{met} {inside}");
+}
+
+/// Balls on a lattice, cut along lattice planes, and rays through edges and corners of the boxes:
+/// where several are entered at the same t, the first in the tree counts.
+#[test]
+fn a6t5_boxes_that_are_entered_together() {
+    let balls: String = (0..64)
+        .map(|i| format!("Sphere {{ center {} {} {} radius 0.25 }} ", i % 4, i / 4 % 4, i / 16))
+        .collect();
+    let geometry = geometry(&balls, 64);
+    let (mut together, mut c) = (0, Counters::default());
+    for rule in Rule::ALL {
+        let tree = KdTree::new(&geometry, Options { rule, leaf: Some(1), ..Options::default() });
+        let leaves = full_leaves(&tree);
+        let planes: Vec<(usize, f32)> =
+            tree.nodes().iter().filter(|n| !n.is_leaf()).map(|n| (n.axis(), n.at())).collect();
+        for (i, (a, at)) in planes.iter().enumerate() {
+            let (b, other) = planes[(i * 7 + 3) % planes.len()];
+            let mut origin = Vec3::splat(1.5);
+            origin[*a] = *at;
+            origin[b] = other;
+            for direction in
+                [Vec3::X, Vec3::Y, -Vec3::Z, Vec3::new(1.0, 1.0, 0.0), Vec3::new(-1.0, 1.0, -1.0)]
+            {
+                let ray = Ray::new(origin, direction);
+                let expected = first_of(&leaves, &ray, Interval::ALL);
+                let found = first_box(&tree, &ray, Interval::ALL, &mut c);
+                assert_eq!(found.map(|e| (e.t, e.leaf, e.count)), expected, "{ray:?}");
+                let enter = |b: &Bounds| stretch(&ray, b).map(|s| s.0);
+                let same =
+                    leaves.iter().filter(|l| expected.is_some() && enter(&l.1) == expected.map(|e| e.0));
+                together += usize::from(same.count() > 1);
+            }
+        }
+    }
+    assert!(together > 100, "{together}");
 }
 
 /// Nothing is hit outside the boxes.
