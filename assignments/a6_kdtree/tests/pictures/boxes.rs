@@ -88,10 +88,12 @@ fn a6t5_the_first_box_is_the_first_of_all_boxes() {
 /// where several are entered at the same t, the first in the tree counts.
 #[test]
 fn a6t5_boxes_that_are_entered_together() {
+    // Not all, so that leaves stand at different depths.
     let balls: String = (0..64)
+        .filter(|i| i % 5 != 0)
         .map(|i| format!("Sphere {{ center {} {} {} radius 0.25 }} ", i % 4, i / 4 % 4, i / 16))
         .collect();
-    let geometry = geometry(&balls, 64);
+    let geometry = geometry(&balls, 51);
     let (mut together, mut c) = (0, Counters::default());
     for rule in Rule::ALL {
         let tree = KdTree::new(&geometry, Options { rule, leaf: Some(1), ..Options::default() });
@@ -103,10 +105,13 @@ fn a6t5_boxes_that_are_entered_together() {
             let mut origin = Vec3::splat(1.5);
             origin[*a] = *at;
             origin[b] = other;
-            for direction in
-                [Vec3::X, Vec3::Y, -Vec3::Z, Vec3::new(1.0, 1.0, 0.0), Vec3::new(-1.0, 1.0, -1.0)]
-            {
-                let ray = Ray::new(origin, direction);
+            for signs in 0..27 {
+                let sign = |k: i32| (signs / k % 3 - 1) as f32;
+                let direction = Vec3::new(sign(1), sign(3), sign(9));
+                if direction == Vec3::ZERO {
+                    continue;
+                }
+                let ray = Ray::new(origin - direction * 8.0, direction);
                 let expected = first_of(&leaves, &ray, Interval::ALL);
                 let found = first_box(&tree, &ray, Interval::ALL, &mut c);
                 assert_eq!(found.map(|e| (e.t, e.leaf, e.count)), expected, "{ray:?}");
@@ -117,7 +122,7 @@ fn a6t5_boxes_that_are_entered_together() {
             }
         }
     }
-    assert!(together > 100, "{together}");
+    assert!(together > 1000, "{together}");
 }
 
 /// Nothing is hit outside the boxes.
