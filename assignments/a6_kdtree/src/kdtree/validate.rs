@@ -52,7 +52,7 @@ impl KdTree<'_> {
     /// Walks all nodes once.
     fn check_shape(&self) -> Result<(), String> {
         let (mut reached, mut blocks, mut solids) = (0, 0, 0);
-        let (mut leaves, mut empty, mut references, mut deepest) = (0, 0, 0, 0);
+        let (mut leaves, mut references, mut deepest) = (0, 0, 0);
         let mut waiting = vec![(0, self.bounds, 0)];
         while let Some((index, inside, depth)) = waiting.pop() {
             let Some(node) = self.nodes.get(index).copied() else {
@@ -76,13 +76,10 @@ impl KdTree<'_> {
             let held = self.held(node);
             self.check_leaf(held).map_err(|what| format!("leaf {index} {what}"))?;
             (blocks, solids, leaves) = (blocks + held.0.len(), solids + held.1.len(), leaves + 1);
-            empty += usize::from(self.held_by(node) == 0);
-            references += self.held_by(node);
+            references += held.0.iter().map(|b| b.len as usize).sum::<usize>() + held.1.len();
         }
         let s = self.summary();
-        if (s.nodes, s.leaves, s.empty, s.depth, s.references)
-            != (reached, leaves, empty, deepest, references)
-        {
+        if (s.nodes, s.leaves, s.depth, s.references) != (reached, leaves, deepest, references) {
             return Err(format!("the summary {s:?} does not tell what is there"));
         }
         match (reached, blocks, solids) == (self.nodes.len(), self.blocks.len(), self.solids.len()) {
