@@ -116,17 +116,6 @@ impl<'g> KdTree<'g> {
         tree
     }
 
-    /// Bytes that it takes.
-    pub fn bytes(&self) -> usize {
-        let leaves = size_of_val(&*self.solids) + size_of_val(&*self.mixed);
-        size_of_val(&*self.nodes) + size_of_val(&*self.blocks) + leaves
-    }
-
-    /// Figures for `-stats`.
-    pub fn summary(&self) -> Summary {
-        self.summary
-    }
-
     /// How it was asked to be built.
     pub fn options(&self) -> Options {
         self.options
@@ -146,6 +135,17 @@ impl<'g> KdTree<'g> {
     pub fn held_by(&self, leaf: Node) -> usize {
         let (blocks, solids) = self.held(leaf);
         blocks.iter().map(|b| b.len as usize).sum::<usize>() + solids.len()
+    }
+
+    /// Bytes that it takes.
+    pub fn bytes(&self) -> usize {
+        let leaves = size_of_val(&*self.solids) + size_of_val(&*self.mixed);
+        size_of_val(&*self.nodes) + size_of_val(&*self.blocks) + leaves
+    }
+
+    /// Figures for `-stats`.
+    pub fn summary(&self) -> Summary {
+        self.summary
     }
 
     /// Puts a subtree to place `place`; `inside` is its box.
