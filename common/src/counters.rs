@@ -29,6 +29,14 @@ pub struct Counters {
     pub skipped_empty_tile: u64,
 }
 
+impl Counters {
+    /// What finding hits has cost so far: cells or nodes stepped through, and primitive tests.
+    #[inline]
+    pub fn work(&self) -> u64 {
+        self.cells + self.intersections
+    }
+}
+
 impl AddAssign for Counters {
     fn add_assign(&mut self, other: Self) {
         self.rays += other.rays;

@@ -39,6 +39,11 @@ pub struct CastArgs {
     #[arg(long, num_args = 3, value_names = ["MIN", "MAX", "PICTURE"])]
     pub depth: Option<Vec<String>>,
 
+    /// Files that a later step writes from what the colour picture's rays count or meet; set by
+    /// its program, not by a flag of this one.
+    #[arg(skip)]
+    pub further_outputs: Vec<PathBuf>,
+
     /// Flags of every program.
     #[command(flatten)]
     pub general: GeneralArgs,
@@ -56,12 +61,15 @@ impl CastArgs {
     /// The files this step writes.
     pub fn outputs(&self) -> Vec<&Path> {
         let depth = self.depth.iter().map(|d| Path::new(&d[2]));
-        self.output.iter().map(PathBuf::as_path).chain(depth).collect()
+        let further = self.further_outputs.iter().map(PathBuf::as_path);
+        self.output.iter().map(PathBuf::as_path).chain(depth).chain(further).collect()
     }
 
-    /// The colour picture, if there is a file for it or its statistics are wanted.
+    /// The colour picture, if there is a file for it, or its statistics are wanted, or the files
+    /// of a later step follow from it.
     pub fn color_picture<'a>(&self, layer: impl Layer + 'a) -> Option<Picture<'a>> {
-        let wanted = self.output.is_some() || self.general.program.stats;
+        let followed = !self.further_outputs.is_empty();
+        let wanted = self.output.is_some() || self.general.program.stats || followed;
         wanted.then(|| Picture { path: self.output.clone(), layer: Box::new(layer) })
     }
 

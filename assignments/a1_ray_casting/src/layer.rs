@@ -4,6 +4,7 @@ use crate::World;
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit, Surface};
 use common::math::Vec3;
+use common::picture::Film;
 use common::ray::Ray;
 use std::cell::OnceCell;
 
@@ -14,6 +15,9 @@ pub struct Sight<'a> {
     pub ray: Ray,
     /// The nearest hit; `None` also when no layer needs one.
     pub hit: Option<Hit>,
+    /// [`Counters::work`] of this thread before the ray was traced: what has been added since
+    /// was done for this pixel.
+    pub work_before: u64,
     geometry: &'a Geometry,
     surface: OnceCell<Surface>,
 }
@@ -21,7 +25,7 @@ pub struct Sight<'a> {
 impl<'a> Sight<'a> {
     /// A sight whose surface is not yet worked out.
     pub fn new(geometry: &'a Geometry, ray: Ray, hit: Option<Hit>) -> Self {
-        Self { ray, hit, geometry, surface: OnceCell::new() }
+        Self { ray, hit, work_before: 0, geometry, surface: OnceCell::new() }
     }
 
     /// The surface point of the hit.
@@ -39,6 +43,12 @@ pub trait Layer: Sync {
     /// Whether it looks at the nearest hit at all; if no layer does, none is searched for.
     fn needs_hit(&self) -> bool {
         true
+    }
+
+    /// Called once with the whole picture, before it is written: a layer whose colours depend on
+    /// all pixels sets them here. Returns what one must know to read the picture.
+    fn develop(&self, _: &mut Film) -> Option<String> {
+        None
     }
 }
 

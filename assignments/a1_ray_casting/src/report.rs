@@ -1,5 +1,7 @@
 //! What `-stats` prints.
 
+use crate::CastArgs;
+use common::cli;
 use common::counters::Counters;
 use common::math::Bounds;
 use common::picture::Size;
@@ -30,6 +32,13 @@ impl Report {
         let result = work();
         self.phases.push((phase, started.elapsed()));
         result
+    }
+
+    /// Prints itself if `-stats` asks for it.
+    pub fn print_if_wanted(&self, args: &CastArgs) {
+        if args.general.program.stats {
+            cli::say(&self.to_string());
+        }
     }
 
     fn ratio(&self, of: u64) -> f64 {

@@ -84,16 +84,36 @@ impl Studio {
         pictures: &[Picture],
         mut report: Report,
     ) -> Result<(), AppError> {
+        self.expose(args, accel, pictures, &mut report)?;
+        report.print_if_wanted(args);
+        Ok(())
+    }
+
+    /// Renders the pictures in one pass and writes them.
+    ///
+    /// # Errors
+    /// A picture that cannot be written.
+    pub fn expose(
+        &self,
+        args: &CastArgs,
+        accel: &dyn Accel,
+        pictures: &[Picture],
+        report: &mut Report,
+    ) -> Result<(), AppError> {
         let layers: Vec<&dyn Layer> = pictures.iter().map(|p| &*p.layer).collect();
-        let films = report.time("render", || self.render(args, accel, &layers));
-        report.counters += films.1;
+        let (mut films, counters) = report.time("render", || self.render(args, accel, &layers));
+        report.counters += counters;
+        for (layer, film) in layers.iter().zip(&mut films) {
+            let Some(note) = layer.develop(film) else { continue };
+            if args.general.program.verbose {
+                cli::note(&note);
+            }
+            report.notes.push(note);
+        }
         report.time("write", || {
-            let files = pictures.iter().zip(&films.0).filter_map(|(p, film)| Some((p.path.as_ref()?, film)));
+            let files = pictures.iter().zip(&films).filter_map(|(p, film)| Some((p.path.as_ref()?, film)));
             files.into_iter().try_for_each(|(path, film)| write(path, film, Transfer::Linear))
         })?;
-        if args.general.program.stats {
-            cli::say(&report.to_string());
-        }
         Ok(())
     }
 
@@ -114,6 +134,7 @@ impl Studio {
                 for (x, y) in tile.pixels() {
                     let (sx, sy) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
                     let ray = self.camera.ray(screen_position(self.size, sx, sy));
+                    let work_before = counters.work();
                     let hit = match (needs_hit, empty) {
                         (false, _) => None,
                         (true, true) => {
@@ -125,7 +146,8 @@ impl Studio {
                             accel.nearest(&ray, self.camera.interval, counters)
                         }
                     };
-                    let sight = Sight::new(&self.geometry, ray, hit);
+                    let mut sight = Sight::new(&self.geometry, ray, hit);
+                    sight.work_before = work_before;
                     for (i, layer) in layers.iter().enumerate() {
                         out.set(i, x, y, layer.value(&sight, counters));
                     }

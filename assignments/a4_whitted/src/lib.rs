@@ -16,7 +16,7 @@ pub use optics::{Crossing, mirror, refract};
 pub use tree::{NoRecord, RayKind, RayNode, RayTree, Recorder};
 pub use whitted::{Rules, Whitted, WhittedColor};
 
-use a1_ray_casting::{Report, Studio, World};
+use a1_ray_casting::{Picture, Report, Studio, World};
 use common::accel::{Accel, List};
 use common::cli::AppError;
 
@@ -44,9 +44,27 @@ pub fn shoot(
     accel: &dyn Accel,
     mut report: Report,
 ) -> Result<(), AppError> {
+    expose(args, studio, scene, accel, Vec::new(), &mut report)?;
+    report.print_if_wanted(args.cast());
+    Ok(())
+}
+
+/// The same without the report, and with `further` pictures of a later step, rendered last.
+///
+/// # Errors
+/// An unwritable picture.
+pub fn expose<'a>(
+    args: &'a WhittedArgs,
+    studio: &'a Studio,
+    scene: &'a dyn World,
+    accel: &'a dyn Accel,
+    further: Vec<Picture<'a>>,
+    report: &mut Report,
+) -> Result<(), AppError> {
     let whitted = args.whitted(scene, accel);
-    args.print_ray_tree(studio, &whitted, &mut report)?;
-    let mut pictures = args.phong.diffuse.side_pictures();
+    args.print_ray_tree(studio, &whitted, report)?;
+    let mut pictures: Vec<Picture<'a>> = args.phong.diffuse.side_pictures();
     pictures.extend(args.cast().color_picture(WhittedColor { whitted }));
-    studio.shoot(args.cast(), accel, &pictures, report)
+    pictures.extend(further);
+    studio.expose(args.cast(), accel, &pictures, report)
 }

@@ -6,6 +6,7 @@ use a2_transforms::{LocalLight, Unshadowed, diffuse};
 use common::counters::Counters;
 use common::geometry::Surface;
 use common::math::{DVec3, Interval, Vec3};
+use common::ray::Ray;
 use common::scene::PhongMaterial;
 
 /// The first occupied cell along every ray, as a matt cube coloured by how much it holds.
@@ -39,24 +40,25 @@ pub fn cell_color(count: u8) -> Vec3 {
     RAMP[corner].lerp(RAMP[corner + 1], x - corner as f32)
 }
 
-impl CellPicture<'_> {
-    fn shade(&self, sight: &Sight, axis: usize, t: f64, count: u8) -> Vec3 {
-        let mut normal = DVec3::ZERO;
-        normal[axis] = -f64::from(sight.ray.direction[axis].signum());
-        let surface = Surface {
-            point: sight.ray.at(t),
-            error: DVec3::ZERO,
-            normal: normal.as_vec3(),
-            geometric_normal: normal,
-            material: 0,
-            primitive: 0,
-            weights: [0.0; 2],
-        };
-        let material = PhongMaterial { diffuse: cell_color(count), ..PhongMaterial::default() };
-        let mixture = Mixture::Plain(&material);
-        self.light.radiance(&surface, &mixture, sight.ray.direction, diffuse, &mut Unshadowed)
-    }
+/// The face of a matt box that a ray enters at `t` through a face across `axis`, in the light of
+/// the scene without shadows.
+pub fn shaded_face(light: &LocalLight, ray: &Ray, axis: usize, t: f64, color: Vec3) -> Vec3 {
+    let mut normal = DVec3::ZERO;
+    normal[axis] = -f64::from(ray.direction[axis].signum());
+    let surface = Surface {
+        point: ray.at(t),
+        error: DVec3::ZERO,
+        normal: normal.as_vec3(),
+        geometric_normal: normal,
+        material: 0,
+        primitive: 0,
+        weights: [0.0; 2],
+    };
+    let material = PhongMaterial { diffuse: color, ..PhongMaterial::default() };
+    light.radiance(&surface, &Mixture::Plain(&material), ray.direction, diffuse, &mut Unshadowed)
+}
 
+impl CellPicture<'_> {
     /// The face through which a ray that starts inside a cell would have come in.
     fn face_behind(&self, sight: &Sight, cell: [usize; 3]) -> (usize, f64) {
         let (min, max) = self.cells.corners(cell);
@@ -86,7 +88,7 @@ impl Layer for CellPicture<'_> {
                     Some(axis) => (axis, step.enter),
                     None => self.face_behind(sight, step.cell),
                 };
-                return self.shade(sight, axis, t, count);
+                return shaded_face(&self.light, &sight.ray, axis, t, cell_color(count));
             }
         }
         self.light.scene.background.color

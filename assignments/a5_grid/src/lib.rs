@@ -10,14 +10,14 @@ mod structure;
 pub mod voxelise;
 
 pub use args::{GridArgs, Program};
-pub use cell_picture::{CellPicture, cell_color};
+pub use cell_picture::{CellPicture, cell_color, shaded_face};
 pub use cells::{Cells, MAX_CELLS};
 pub use grid::Grid;
 pub use march::{March, Step};
 pub use structure::Structure;
 pub use voxelise::Fit;
 
-use a1_ray_casting::{Report, Studio};
+use a1_ray_casting::{Picture, Report, Studio};
 use common::accel::List;
 use common::cli::AppError;
 use common::math::{Bounds, Vec3};
@@ -33,15 +33,16 @@ pub fn run(args: &GridArgs) -> Result<(), AppError> {
     let cells = args.cells(&studio)?;
     report.cells = cells.as_ref().map(|c| c.count.map(|n| n as u32));
     if args.shows_cells() {
-        return picture_of_cells(args, &studio, cells, report);
+        return picture_of_cells(args, &studio, cells, Vec::new(), report);
     }
     let accel = report.time("build", || args.structure(&studio.geometry, cells))?;
     report.notes.push(accel.describe());
     a4_whitted::shoot(&args.whitted, &studio, &studio.scene, accel.as_accel(), report)
 }
 
-/// The picture of `-visualize_grid`, with the depth and normal pictures beside it. Only counts
-/// are kept of the cells, unless one of those pictures needs hits.
+/// The picture of `-visualize_grid`, with the depth and normal pictures beside it and `further`
+/// ones of a later step, which need no hits. Only counts are kept of the cells, unless a picture
+/// needs hits.
 ///
 /// # Errors
 /// If a grid that hits need would be too large, or a picture cannot be written.
@@ -49,6 +50,7 @@ pub fn picture_of_cells(
     args: &GridArgs,
     studio: &Studio,
     cells: Option<Cells>,
+    further: Vec<Picture>,
     mut report: Report,
 ) -> Result<(), AppError> {
     // A scene without finite objects has no box; its picture is nothing but background.
@@ -69,5 +71,6 @@ pub fn picture_of_cells(
     let layer = CellPicture { cells: &cells, counts: &counts, light, interval: studio.camera.interval };
     let mut pictures = side;
     pictures.extend(args.cast().color_picture(layer));
+    pictures.extend(further);
     studio.shoot(args.cast(), structure.as_accel(), &pictures, report)
 }

@@ -1,12 +1,14 @@
 //! The flags of assignment 6, on top of those of assignments 1 to 5.
 
-use crate::bvh::Bvh;
-use crate::kdtree::{KdTree, MAX_DEPTH, Options, Rule};
-use a1_ray_casting::CastArgs;
+use crate::kdtree::{MAX_DEPTH, Options, Rule};
+use crate::picture::Heat;
+use crate::tracer::{Tracer, finite};
+use a1_ray_casting::{CastArgs, Picture};
 use a5_grid::{Cells, GridArgs, Structure};
-use common::accel::{Accel, List};
-use common::cli::AppError;
+use common::accel::List;
+use common::cli::{self, AppError};
 use common::geometry::Geometry;
+use std::path::PathBuf;
 
 /// From this many finite primitives on, a hierarchy beats asking all of them: one node's eight
 /// boxes cost about as much as one block of eight triangles.
@@ -48,6 +50,16 @@ pub struct AccelArgs {
     #[arg(long, value_name = "N")]
     pub kd_leaf: Option<u32>,
 
+    /// Show the box of the first leaf along every ray that holds anything, instead of the scene;
+    /// colours as for -visualize_grid
+    #[arg(long)]
+    pub visualize_kdtree: bool,
+
+    /// Picture of the steps and primitive tests that each pixel costs, from black over red and
+    /// yellow to white for HOTTEST and more (the dearest pixel if not given)
+    #[arg(long, num_args = 1..=2, value_names = ["PICTURE", "HOTTEST"])]
+    pub heat: Option<Vec<String>>,
+
     /// Flags of assignments 1 to 5.
     #[command(flatten)]
     pub grid: GridArgs,
@@ -69,79 +81,101 @@ pub enum Choice {
     Bvh,
 }
 
-/// What the rays are traced through.
-pub enum Tracer<'g> {
-    /// A structure of assignment 5.
-    Lower(Structure<'g>),
-    /// A kd-tree.
-    KdTree(Box<KdTree<'g>>),
-    /// The hierarchy.
-    Bvh(Box<Bvh<'g>>),
-}
-
-impl Tracer<'_> {
-    /// The structure behind the common seam.
-    pub fn as_accel(&self) -> &dyn Accel {
-        match self {
-            Self::Lower(lower) => lower.as_accel(),
-            Self::KdTree(tree) => &**tree,
-            Self::Bvh(bvh) => &**bvh,
-        }
-    }
-
-    /// What was built, for `-stats`.
-    pub fn describe(&self) -> String {
-        match self {
-            Self::Lower(lower) => lower.describe(),
-            Self::KdTree(tree) => tree.describe(),
-            Self::Bvh(bvh) => {
-                let (nodes, blocks, depth) = bvh.counts();
-                let kib = bvh.bytes().div_ceil(1024);
-                format!("structure: hierarchy, {nodes} nodes, {blocks} blocks, depth {depth}, {kib} KiB")
-            }
-        }
-    }
-}
-
 impl AccelArgs {
     /// Flags of assignment 1.
     pub fn cast(&self) -> &CastArgs {
         self.grid.cast()
     }
 
+    /// The same flags with the picture of `-heat` among the files that are written.
+    #[must_use]
+    pub fn with_outputs(&self) -> Self {
+        let mut all = self.clone();
+        let heat = self.heat.iter().map(|values| PathBuf::from(&values[0]));
+        all.grid.whitted.phong.diffuse.cast.further_outputs.extend(heat);
+        all
+    }
+
     /// Refuses impossible and empty tasks, warns of flags without effect.
     ///
     /// # Errors
-    /// Those of assignment 5; a grid that is chosen but not given.
+    /// Those of assignment 5; a grid that is chosen but not given; two structures to show; a
+    /// hottest colour that stands for no work.
     pub fn check(&self) -> Result<(), AppError> {
+        self.heat_layer()?;
+        let usage = |text: &str| Err(AppError::Usage(text.to_owned()));
+        if self.visualize_kdtree && self.grid.shows_cells() {
+            return usage("-visualize_grid and -visualize_kdtree both want -output; give one of them");
+        }
         if self.accel == Choice::Grid && self.grid.grid.is_none() {
-            return Err(AppError::Usage("-accel grid needs -grid NX NY NZ".to_owned()));
+            return usage("-accel grid needs -grid NX NY NZ");
         }
-        let takes_tree = self.takes_tree();
-        let takes_grid = !takes_tree && matches!(self.accel, Choice::Auto | Choice::Grid);
-        if self.grid.grid.is_some() && !takes_grid {
-            common::cli::warn("-grid has no effect with this -accel or with -kdtree");
-        }
-        if self.kdtree.is_some() && !takes_tree {
-            common::cli::warn("-kdtree has no effect with this -accel");
-        }
-        if (self.kd_max_depth.is_some() || self.kd_leaf.is_some()) && !takes_tree {
-            common::cli::warn("-kd_max_depth and -kd_leaf have no effect without a kd-tree");
+        self.warn_of_structures();
+        let whitted = &self.grid.whitted;
+        let followed = whitted.shadows || whitted.bounces.is_some() || whitted.trace.is_some();
+        if self.visualize_kdtree && followed {
+            cli::warn("-shadows, -bounces and -trace have no effect with -visualize_kdtree");
         }
         self.grid.check()
     }
 
+    /// Warns of structures that are described but not used.
+    fn warn_of_structures(&self) {
+        if self.grid.shows_cells() {
+            return;
+        }
+        let takes_tree = self.takes_tree();
+        let takes_grid = !takes_tree && matches!(self.accel, Choice::Auto | Choice::Grid);
+        if self.grid.grid.is_some() && !takes_grid {
+            cli::warn("-grid has no effect with this -accel or with a kd-tree");
+        }
+        if self.visualize_kdtree && !matches!(self.accel, Choice::Auto | Choice::Kdtree) {
+            cli::warn("-accel has no effect with -visualize_kdtree");
+        }
+        if self.kdtree.is_some() && !takes_tree {
+            cli::warn("-kdtree has no effect with this -accel");
+        }
+        if (self.kd_max_depth.is_some() || self.kd_leaf.is_some()) && !takes_tree {
+            cli::warn("-kd_max_depth and -kd_leaf have no effect without a kd-tree");
+        }
+    }
+
     /// Whether these flags ask for a kd-tree.
     fn takes_tree(&self) -> bool {
-        self.accel == Choice::Kdtree || self.accel == Choice::Auto && self.kdtree.is_some()
+        match self.accel {
+            _ if self.visualize_kdtree => true,
+            Choice::Kdtree => true,
+            Choice::Auto => self.kdtree.is_some(),
+            _ => false,
+        }
     }
 
     /// How the kd-tree is to be built.
-    fn options(&self) -> Options {
+    pub fn options(&self) -> Options {
         Options { rule: self.kdtree.unwrap_or_default(), max_depth: self.kd_max_depth, leaf: self.kd_leaf }
     }
 
-    /// The structure that finds hits.
+    /// The heat layer, if its picture is asked for.
+    ///
+    /// # Errors
+    /// If the hottest colour is not to stand for a whole number of at least 1.
+    pub fn heat_layer(&self) -> Result<Option<Heat>, AppError> {
+        let Some(values) = &self.heat else { return Ok(None) };
+        let Some(text) = values.get(1) else { return Ok(Some(Heat::default())) };
+        let hottest = text.parse().ok().filter(|n| *n > 0);
+        let wrong =
+            || AppError::Usage(format!("-heat: HOTTEST must be a whole number above 0, not `{text}`"));
+        Ok(Some(Heat { hottest: Some(hottest.ok_or_else(wrong)?) }))
+    }
+
+    /// The heat picture, if asked for. Its scale has been checked by [`AccelArgs::check`].
+    pub fn heat_picture(&self) -> Option<Picture<'static>> {
+        let layer = self.heat_layer().ok().flatten()?;
+        let path = Some(PathBuf::from(&self.heat.as_ref()?[0]));
+        Some(Picture { path, layer: Box::new(layer) })
+    }
+
+    /// The structure that finds hits; trees are built when the first ray asks.
     ///
     /// # Errors
     /// If a grid would hold too many references.
@@ -150,19 +184,24 @@ impl AccelArgs {
         geometry: &'g Geometry,
         cells: Option<Cells>,
     ) -> Result<Tracer<'g>, AppError> {
-        let finite = geometry.triangles().len() + geometry.solids().len();
         let choice = match (self.accel, &cells) {
-            (Choice::Auto, _) if self.takes_tree() => Choice::Kdtree,
+            _ if self.takes_tree() => Choice::Kdtree,
             (Choice::Auto, Some(_)) => Choice::Grid,
-            (Choice::Auto, None) if finite < WORTH_A_TREE => Choice::List,
+            (Choice::Auto, None) if finite(geometry) < WORTH_A_TREE => Choice::List,
             (Choice::Auto, None) => Choice::Bvh,
             (choice, _) => choice,
         };
         Ok(match choice {
-            Choice::Kdtree => Tracer::KdTree(Box::new(KdTree::new(geometry, self.options()))),
-            Choice::Bvh => Tracer::Bvh(Box::new(Bvh::new(geometry))),
+            Choice::Kdtree => Tracer::with_kd_tree(geometry, self.threads(), self.options()),
+            Choice::Bvh => Tracer::with_bvh(geometry, self.threads()),
             Choice::Grid => Tracer::Lower(self.grid.structure(geometry, cells)?),
             _ => Tracer::Lower(Structure::List(List::new(geometry))),
         })
+    }
+
+    /// Threads that build a large tree.
+    fn threads(&self) -> usize {
+        let asked = self.cast().general.program.threads;
+        asked.map_or_else(rayon::current_num_threads, |n| n as usize)
     }
 }

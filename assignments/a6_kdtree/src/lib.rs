@@ -1,19 +1,28 @@
 //! Assignment 6: trees that find hits in logarithmic time, and textures.
 //!
 //! kd-trees by three rules ([`kdtree::KdTree`]), behind `-kdtree`, and what beats them, the
-//! eight-wide bounding volume hierarchy ([`bvh::Bvh`]), behind `-accel`. Solid textures and
+//! eight-wide bounding volume hierarchy ([`bvh::Bvh`]), behind `-accel`; both are built when the
+//! first ray asks ([`Lazy`]), and [`picture`] shows them and what they cost. Solid textures and
 //! pictures are worked out by [`texture::TexturedScene`], which shading asks through the seam
 //! [`a1_ray_casting::World`].
 
 mod args;
 pub mod bvh;
+mod figures;
 pub mod kdtree;
+mod lazy;
+pub mod picture;
 pub mod texture;
+mod tracer;
 
 pub use args::{AccelArgs, Choice, Program};
+pub use lazy::Lazy;
+pub use tracer::{LazyBvh, LazyTree, Tracer};
 
-use a1_ray_casting::Studio;
+use a1_ray_casting::{Report, Studio};
 use common::cli::AppError;
+use picture::BoxPicture;
+use std::time::Duration;
 use texture::TexturedScene;
 
 /// The whole program: reads the scene, renders what was asked for, writes it.
@@ -21,11 +30,8 @@ use texture::TexturedScene;
 /// # Errors
 /// Bad usage, an unreadable scene, an unwritable picture.
 pub fn run(args: &AccelArgs) -> Result<(), AppError> {
-    if args.grid.shows_cells() {
-        args.grid.check()?
-    } else {
-        args.check()?
-    }
+    let args = &args.with_outputs();
+    args.check()?;
     let (studio, mut report) = Studio::open_textured(args.cast(), &args.grid.outputs())?;
     let load = || TexturedScene::load(&studio.scene, &studio.geometry, &args.cast().input);
     let scene = report.time("textures", load)?;
@@ -34,9 +40,62 @@ pub fn run(args: &AccelArgs) -> Result<(), AppError> {
     let cells = args.grid.cells(&studio)?;
     if args.grid.shows_cells() {
         report.cells = cells.as_ref().map(|c| c.count.map(|n| n as u32));
-        return a5_grid::picture_of_cells(&args.grid, &studio, cells, report);
+        let heat = args.heat_picture().into_iter().collect();
+        return a5_grid::picture_of_cells(&args.grid, &studio, cells, heat, report);
     }
-    let structure = report.time("build", || args.structure(&studio.geometry, cells))?;
-    report.notes.push(structure.describe());
-    a4_whitted::shoot(&args.grid.whitted, &studio, &scene, structure.as_accel(), report)
+    let tracer = report.time("build", || {
+        let tracer = args.structure(&studio.geometry, cells)?;
+        if args.visualize_kdtree {
+            tracer.kd_tree().map(|tree| tree.get());
+        }
+        Ok::<_, AppError>(tracer)
+    })?;
+    match tracer.kd_tree().filter(|_| args.visualize_kdtree) {
+        Some(tree) => draw_boxes(args, &studio, tree, &mut report)?,
+        None => draw_scene(args, &studio, &scene, &tracer, &mut report)?,
+    }
+    report.cells = tracer.cells();
+    report.notes.extend(tracer.figures(&report.counters));
+    report.print_if_wanted(args.cast());
+    Ok(())
+}
+
+/// The picture of `-visualize_kdtree`, with the depth and normal pictures beside it.
+fn draw_boxes(
+    args: &AccelArgs,
+    studio: &Studio,
+    tree: &LazyTree,
+    report: &mut Report,
+) -> Result<(), AppError> {
+    let diffuse = &args.grid.whitted.phong.diffuse;
+    let light = diffuse.local_light(&studio.scene);
+    let layer = BoxPicture { tree: tree.get(), light, interval: studio.camera.interval };
+    let mut pictures = diffuse.side_pictures();
+    pictures.extend(args.cast().color_picture(layer));
+    pictures.extend(args.heat_picture());
+    studio.expose(args.cast(), tree, &pictures, report)
+}
+
+/// The pictures of the scene itself. The build that the first ray waits for is no part of the
+/// time for rendering.
+fn draw_scene(
+    args: &AccelArgs,
+    studio: &Studio,
+    scene: &TexturedScene,
+    tracer: &Tracer,
+    report: &mut Report,
+) -> Result<(), AppError> {
+    let (whitted, heat) = (&args.grid.whitted, args.heat_picture());
+    a4_whitted::expose(whitted, studio, scene, tracer.as_accel(), heat.into_iter().collect(), report)?;
+    let build = tracer.build_time().unwrap_or_default();
+    // The ray of -trace asks before rendering begins.
+    let waited = if whitted.trace.is_some() { Duration::ZERO } else { build };
+    for (phase, time) in &mut report.phases {
+        match *phase {
+            "build" => *time += build,
+            "render" => *time = time.saturating_sub(waited),
+            _ => {}
+        }
+    }
+    Ok(())
 }

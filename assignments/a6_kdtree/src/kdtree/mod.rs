@@ -16,4 +16,6 @@ mod tree;
 mod validate;
 
 pub use build::{MAX_DEPTH, Options, Rule};
-pub use tree::{KdTree, Summary};
+pub(crate) use clip::halves;
+pub use sah::STEP;
+pub use tree::{KdTree, Node, Summary};

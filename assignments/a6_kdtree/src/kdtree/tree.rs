@@ -12,8 +12,8 @@ use std::ops::Range;
 ///
 /// `word` holds the axis in its low two bits and the place of the lower child above them, the
 /// upper child following; axis 3 marks a leaf, with the place of its first block there and the
-/// number of its blocks in `data`. A leaf that holds solids has [`MIXED`] set in `data` and
-/// names a [`Mixed`] instead. Else `data` holds the plane's `f32`.
+/// number of its blocks in `data`. A leaf that holds solids has `MIXED` set in `data` and
+/// names a `Mixed` instead. Else `data` holds the plane's `f32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Node {
     data: u32,
@@ -64,6 +64,8 @@ pub struct Summary {
     pub nodes: usize,
     /// Leaves, also empty ones.
     pub leaves: usize,
+    /// Leaves that hold nothing.
+    pub empty: usize,
     /// Most planes between root and leaf.
     pub depth: u32,
     /// Primitives in all leaves together, each as often as it is held.
@@ -114,6 +116,27 @@ impl<'g> KdTree<'g> {
         tree
     }
 
+    /// How it was asked to be built.
+    pub fn options(&self) -> Options {
+        self.options
+    }
+
+    /// Planes and leaves, the root first, each after its parent; none if nothing is finite.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// The box that the planes cut; empty if nothing is finite.
+    pub fn root_box(&self) -> Bounds {
+        self.bounds
+    }
+
+    /// How many primitives a leaf holds.
+    pub fn held_by(&self, leaf: Node) -> usize {
+        let (blocks, solids) = self.held(leaf);
+        blocks.iter().map(|b| b.len as usize).sum::<usize>() + solids.len()
+    }
+
     /// Bytes that it takes.
     pub fn bytes(&self) -> usize {
         let leaves = size_of_val(&*self.solids) + size_of_val(&*self.mixed);
@@ -153,6 +176,7 @@ impl<'g> KdTree<'g> {
         let triangles = primitives.partition_point(|p| (*p as usize) < self.geometry.triangles().len());
         let (triangles, solids) = primitives.split_at(triangles);
         self.summary.leaves += 1;
+        self.summary.empty += usize::from(primitives.is_empty());
         self.summary.references += primitives.len();
         let weight = triangles.len() as u32 + solids.len() as u32 * sah::weight(true);
         self.summary.cost += share * leaf_cost(weight);
@@ -185,18 +209,5 @@ impl<'g> KdTree<'g> {
     /// All of the tree in text, to compare two builds.
     pub fn fingerprint(&self) -> String {
         format!("{:?} {:?} {:?} {:?}", self.nodes, self.blocks, self.solids, self.mixed)
-    }
-
-    /// What was built, for `-stats`.
-    pub fn describe(&self) -> String {
-        let (s, kib) = (self.summary, self.bytes().div_ceil(1024));
-        let rule = format!("{:?}", self.options.rule).to_lowercase();
-        let primitives = self.geometry.triangles().len() + self.geometry.solids().len();
-        let copies = s.references as f64 / primitives.max(1) as f64;
-        format!(
-            "structure: kd-tree ({rule}), {} nodes, {} leaves, depth {}, {copies:.2} references per \
-             primitive, SAH cost {:.2}, {kib} KiB",
-            s.nodes, s.leaves, s.depth, s.cost
-        )
     }
 }

@@ -1,0 +1,107 @@
+//! What the program traces through, and what `-stats` says of it.
+
+use crate::bvh::Bvh;
+use crate::kdtree::{KdTree, Options};
+use crate::{Lazy, figures};
+use a5_grid::Structure;
+use common::accel::Accel;
+use common::counters::Counters;
+use common::geometry::Geometry;
+use std::time::Duration;
+
+/// Trees over fewer primitives are built by one thread: waking another costs as much.
+const WORTH_THREADS: usize = 2048;
+
+/// Primitives that a tree can hold: all but planes and discs.
+pub fn finite(geometry: &Geometry) -> usize {
+    geometry.triangles().len() + geometry.solids().len()
+}
+
+/// How many of the threads to build with.
+fn builders(geometry: &Geometry, threads: usize) -> usize {
+    if finite(geometry) < WORTH_THREADS { 1 } else { threads }
+}
+
+type Build<'g, A> = Box<dyn Fn(&'g Geometry) -> A + Send + Sync + 'g>;
+
+/// A kd-tree that is built when the first ray asks.
+pub type LazyTree<'g> = Lazy<'g, KdTree<'g>, Build<'g, KdTree<'g>>>;
+/// The same of the hierarchy.
+pub type LazyBvh<'g> = Lazy<'g, Bvh<'g>, Build<'g, Bvh<'g>>>;
+
+/// What the rays are traced through.
+pub enum Tracer<'g> {
+    /// A structure of assignment 5, which is there from the start.
+    Lower(Structure<'g>),
+    /// A kd-tree.
+    KdTree(Box<LazyTree<'g>>, Options),
+    /// The hierarchy.
+    Bvh(Box<LazyBvh<'g>>),
+}
+
+impl<'g> Tracer<'g> {
+    /// A kd-tree, built by that many threads if it is large.
+    pub fn with_kd_tree(geometry: &'g Geometry, threads: usize, options: Options) -> Self {
+        let build: Build<'g, KdTree<'g>> = Box::new(move |geometry| KdTree::new(geometry, options));
+        Self::KdTree(Box::new(Lazy::new(geometry, builders(geometry, threads), build)), options)
+    }
+
+    /// The hierarchy, built by that many threads if it is large.
+    pub fn with_bvh(geometry: &'g Geometry, threads: usize) -> Self {
+        let build: Build<'g, Bvh<'g>> = Box::new(Bvh::new);
+        Self::Bvh(Box::new(Lazy::new(geometry, builders(geometry, threads), build)))
+    }
+
+    /// The structure behind the common seam.
+    pub fn as_accel(&self) -> &dyn Accel {
+        match self {
+            Self::Lower(lower) => lower.as_accel(),
+            Self::KdTree(tree, _) => &**tree,
+            Self::Bvh(bvh) => &**bvh,
+        }
+    }
+
+    /// The kd-tree, perhaps not built yet, if that is what rays are traced through.
+    pub fn kd_tree(&self) -> Option<&LazyTree<'g>> {
+        match self {
+            Self::KdTree(tree, _) => Some(tree),
+            _ => None,
+        }
+    }
+
+    /// Cells along each axis if it is a grid.
+    pub fn cells(&self) -> Option<[u32; 3]> {
+        match self {
+            Self::Lower(Structure::Grid(grid)) => Some(grid.cells().count.map(|n| n as u32)),
+            _ => None,
+        }
+    }
+
+    /// How long building took, if a ray has asked for a structure that waits for one.
+    pub fn build_time(&self) -> Option<Duration> {
+        match self {
+            Self::Lower(_) => None,
+            Self::KdTree(tree, _) => tree.built().map(|(_, time)| time),
+            Self::Bvh(bvh) => bvh.built().map(|(_, time)| time),
+        }
+    }
+
+    /// What was built and what it is like, or why nothing was; then what the counted rays cost.
+    pub fn figures(&self, counters: &Counters) -> Vec<String> {
+        let geometry = self.as_accel().geometry();
+        let mut lines = match self {
+            Self::Lower(Structure::List(_)) => figures::of_list(geometry),
+            Self::Lower(Structure::Grid(grid)) => figures::of_grid(grid),
+            Self::KdTree(tree, options) => match tree.built() {
+                Some((tree, _)) => figures::of_tree(tree),
+                None => figures::not_built(&figures::tree_name(options)),
+            },
+            Self::Bvh(bvh) => match bvh.built() {
+                Some((bvh, _)) => figures::of_bvh(bvh),
+                None => figures::not_built("hierarchy"),
+            },
+        };
+        lines.extend(figures::per_ray(counters));
+        lines
+    }
+}
