@@ -1,11 +1,14 @@
 //! accuracy.md, properties 3 and 6: yes and no are those of exact arithmetic, values are within
 //! a few roundings, and turning or scaling the world changes no bit.
 
-use common::math::{DVec3, Vec3};
+use common::math::{Bounds, DVec3, Interval, Vec3};
 use common::ray::Ray;
 use common::shape::sphere::{self, Sphere};
+use common::shape::triangle_block::{Filter, TriangleBlock};
 use common::shape::{ExactRay, plane, triangle};
-use tests::property::{Draw, Dyadic, exact_triangle, ray_bits, run, triangle_bits};
+use common::simd::dispatch;
+use std::sync::atomic::{AtomicU64, Ordering};
+use tests::property::{Draw, Dyadic, exact_triangle, ray_bits, run, simd_levels, triangle_bits};
 
 /// 2⁻²³.
 const EPS: f64 = 1.0 / (1u64 << 23) as f64;
@@ -217,4 +220,40 @@ fn p06_scaling_by_two_turning_and_mirroring_change_no_bit() {
             false => Err(format!("plane\n{}", reproducer(&ray, &t))),
         }
     });
+}
+
+/// The single-precision filter discards no triangle that is hit, is certain of none that is
+/// missed, and knows a t that is not too early.
+#[test]
+fn p03_the_filter_is_never_wrong() {
+    let certain = AtomicU64::new(0);
+    for (name, level) in simd_levels() {
+        run(&format!("p03 filter, {name}"), 305, 60_000, |draw| {
+            let triangle = any_triangle(draw);
+            let ray = any_ray(draw, &triangle);
+            if !ray.is_usable() {
+                return Ok(0.0);
+            }
+            let end = draw.magnitude(-2.0, 2.0) as f32;
+            let interval = if draw.chance(0.5) { Interval::ALL } else { Interval { min: -end, max: end } };
+            let filter = Filter::new(&ray, &Bounds::of_points(triangle));
+            let block = TriangleBlock::pack([(0, triangle)]);
+            let verdict = dispatch!(level, s => block.judge(s, &filter, interval));
+            let hit = triangle::intersect(&ExactRay::new(&ray), &triangle).filter(|h| interval.contains(h.t));
+            if hit.is_some() && verdict.possible & 1 == 0 {
+                return Err(format!("hit and discarded: {ray:?} {triangle:?} {interval:?}"));
+            }
+            if verdict.certain & 1 == 1 {
+                certain.fetch_add(1, Ordering::Relaxed);
+                let latest = verdict.latest[0];
+                if hit.is_none_or(|h| h.t > latest + latest.abs() * EPS as f32) {
+                    return Err(format!(
+                        "{hit:?} but certain until {latest}: {ray:?} {triangle:?} {interval:?}"
+                    ));
+                }
+            }
+            Ok(0.0)
+        });
+    }
+    assert!(certain.into_inner() > 10_000, "the filter should be certain now and then");
 }

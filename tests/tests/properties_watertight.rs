@@ -106,15 +106,15 @@ impl Blocks {
     }
 
     fn nearest(&self, level: Level, ray: &Ray) -> Option<Hit> {
-        let (filter, exact) = (Filter::new(ray, &self.bounds), ExactRay::new(ray));
-        let job = Job { filter: &filter, exact: &exact, interval: Interval::FORWARD };
+        let filter = Filter::new(ray, &self.bounds);
+        let job = Job { filter: &filter, ray, interval: Interval::FORWARD };
         dispatch!(level, s => job.nearest(s, &self.blocks, None, &mut Counters::default()))
     }
 }
 
 #[inline(always)]
 fn candidates<S: Simd>(simd: S, block: &TriangleBlock, filter: &Filter) -> u32 {
-    block.candidates(simd, filter, Interval::ALL)
+    block.judge(simd, filter, Interval::ALL).possible
 }
 
 /// The scalar kernel and every instruction set.

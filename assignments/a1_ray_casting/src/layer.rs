@@ -45,6 +45,11 @@ pub trait Layer: Sync {
         true
     }
 
+    /// Whether it looks at [`Sight::work_before`], so that every camera ray must be traced alone.
+    fn watches_work(&self) -> bool {
+        false
+    }
+
     /// Called once with the whole picture, before it is written: a layer whose colours depend on
     /// all pixels sets them here. Returns what one must know to read the picture.
     fn develop(&self, _: &mut Film) -> Option<String> {

@@ -6,8 +6,9 @@ use common::accel::Accel;
 use common::camera::{Camera, screen_position};
 use common::cli::{self, AppError, SimdChoice, Skip};
 use common::counters::Counters;
-use common::geometry::Geometry;
+use common::geometry::{Geometry, Hit};
 use common::picture::{Film, Size, Transfer, check_output, write};
+use common::ray::Ray;
 use common::scene::{self, Material, Scene};
 use common::simd;
 use common::tiles::{Tile, render};
@@ -15,6 +16,13 @@ use std::path::{Path, PathBuf};
 
 /// From this many primitives on, asking whether a tile can see any of them pays for itself.
 const WORTH_CULLING: usize = 16;
+
+/// The camera rays of one tile, which structures can follow together, and what they hit.
+#[derive(Default)]
+struct TileRays {
+    rays: Vec<Ray>,
+    hits: Vec<Option<Hit>>,
+}
 
 /// A layer and the file it is written to.
 pub struct Picture<'a> {
@@ -123,28 +131,24 @@ impl Studio {
             return (Vec::new(), Counters::default());
         }
         let needs_hit = layers.iter().any(|l| l.needs_hit());
+        let one_by_one = layers.iter().any(|l| l.watches_work());
         let options = args.general.tile_options("rendering");
         let rendered = render(
             self.size,
             layers.len(),
             &options,
-            || (),
-            |(), tile, counters: &mut Counters, out| {
-                let empty = args.general.skips(Skip::Tile) && self.sees_nothing(tile);
-                for (x, y) in tile.pixels() {
-                    let (sx, sy) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
-                    let ray = self.camera.ray(screen_position(self.size, sx, sy));
-                    let work_before = counters.work();
-                    let hit = match (needs_hit, empty) {
-                        (false, _) => None,
-                        (true, true) => {
-                            counters.skipped_empty_tile += 1;
-                            None
-                        }
-                        (true, false) => {
-                            counters.rays += 1;
-                            accel.nearest(&ray, self.camera.interval, counters)
-                        }
+            TileRays::default,
+            |shots, tile, counters: &mut Counters, out| {
+                self.aim(tile, shots);
+                let search = needs_hit && !self.skips(args, tile, counters);
+                if search && !one_by_one {
+                    accel.nearest_many(&shots.rays, self.camera.interval, &mut shots.hits, counters);
+                }
+                for (i, (x, y)) in tile.pixels().enumerate() {
+                    let (ray, work_before) = (shots.rays[i], counters.work());
+                    let hit = match search && one_by_one {
+                        true => accel.nearest(&ray, self.camera.interval, counters),
+                        false => shots.hits[i],
                     };
                     let mut sight = Sight::new(&self.geometry, ray, hit);
                     sight.work_before = work_before;
@@ -155,6 +159,26 @@ impl Studio {
             },
         );
         (rendered.films, rendered.counters)
+    }
+
+    /// One ray through the centre of every pixel of a tile, and no hits yet.
+    fn aim(&self, tile: Tile, shots: &mut TileRays) {
+        let ray = |(x, y): (u32, u32)| {
+            let (sx, sy) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
+            self.camera.ray(screen_position(self.size, sx, sy))
+        };
+        shots.rays.clear();
+        shots.rays.extend(tile.pixels().map(ray));
+        shots.hits.clear();
+        shots.hits.resize(shots.rays.len(), None);
+    }
+
+    /// Whether the rays of a tile need not be traced; counts them either way.
+    fn skips(&self, args: &CastArgs, tile: Tile, counters: &mut Counters) -> bool {
+        let skips = args.general.skips(Skip::Tile) && self.sees_nothing(tile);
+        let counter = if skips { &mut counters.skipped_empty_tile } else { &mut counters.rays };
+        *counter += tile.area() as u64;
+        skips
     }
 
     /// Whether no ray of the tile can meet anything. Not asked for a handful of primitives,

@@ -73,6 +73,20 @@ impl<'g, A: Accel + Send, F: Fn(&'g Geometry) -> A + Sync> Accel for Lazy<'g, A,
         self.get().any(ray, interval, counters)
     }
 
+    fn nearest_many(
+        &self,
+        rays: &[Ray],
+        interval: Interval,
+        hits: &mut [Option<Hit>],
+        counters: &mut Counters,
+    ) {
+        self.get().nearest_many(rays, interval, hits, counters);
+    }
+
+    fn any_many(&self, rays: &[Ray], interval: Interval, hit: &mut [bool], counters: &mut Counters) {
+        self.get().any_many(rays, interval, hit, counters);
+    }
+
     fn geometry(&self) -> &Geometry {
         self.geometry
     }

@@ -17,7 +17,7 @@ fn agree(geometry: &Geometry, n: usize) -> usize {
 
 #[test]
 fn a6t2_equals_the_list_on_every_scene() {
-    let hits: usize = scenes().map(|g| agree(&g, if g.len() > 10_000 { 200 } else { 1000 })).sum();
+    let hits: usize = scenes().map(|g| agree(&g, if g.len() > 10_000 { 60 } else { 500 })).sum();
     assert!(hits > 10_000, "the rays should meet something: {hits}");
 }
 
@@ -77,4 +77,15 @@ fn a6t2_ties_and_neighbours_in_different_leaves() {
     let (bvh, list) = (Bvh::new(&geometry), List::new(&geometry));
     let hits: usize = rays.iter().map(|ray| world::agree_on(&bvh, &list, ray)).sum();
     assert!(hits > 10_000, "{hits}");
+}
+
+#[test]
+fn a6t2_many_rays_get_the_answers_of_each() {
+    let together =
+        |g: Geometry| world::agree_together(&Bvh::new(&g), if g.len() > 10_000 { 50 } else { 200 });
+    let hits: usize = scenes().map(together).sum();
+    assert!(hits > 20_000, "{hits}");
+    let mixed = "Plane { normal 0 1 0 offset -1 } Sphere { center 0 0 0 radius 1 } \
+                 Triangle { vertex0 -2 0 0 vertex1 2 0 0 vertex2 0 2 0 }";
+    assert!(together(geometry(mixed, 3)) > 1000);
 }

@@ -134,7 +134,7 @@ impl<'g> KdTree<'g> {
     /// How many primitives a leaf holds.
     pub fn held_by(&self, leaf: Node) -> usize {
         let (blocks, solids) = self.held(leaf);
-        blocks.iter().map(|b| b.len as usize).sum::<usize>() + solids.len()
+        blocks.iter().map(|b| b.len()).sum::<usize>() + solids.len()
     }
 
     /// Bytes that it takes.

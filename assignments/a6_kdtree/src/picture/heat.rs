@@ -54,6 +54,10 @@ impl Layer for Heat {
         false
     }
 
+    fn watches_work(&self) -> bool {
+        true
+    }
+
     fn value(&self, sight: &Sight, counters: &mut Counters) -> Vec3 {
         Self::pack(counters.work() - sight.work_before)
     }

@@ -125,6 +125,51 @@ pub fn agree(tree: &dyn Accel, n: usize) -> usize {
     rays(tree.geometry(), n).iter().map(|ray| agree_on(tree, &list, ray)).sum()
 }
 
+/// Bundles of rays that run alongside each other, of all lengths up to 30, some with stray rays
+/// and rays that hit nothing in them, from far, near and inside.
+pub fn bundles(geometry: &Geometry, n: usize) -> Vec<Vec<Ray>> {
+    let mut random = Pcg64Mcg::seed_from_u64(8);
+    let starts = rays(geometry, n);
+    let size = geometry.bounds().unwrap().size();
+    let bundle = |(i, first): (usize, &Ray)| {
+        let spread = [0.0, 0.001, 0.02, 0.5][i % 4];
+        let mut near =
+            |v: Vec3, by: f32| v + Vec3::from_array([(); 3].map(|()| unit(&mut random) - 0.5)) * by;
+        let mut bundle: Vec<Ray> = (0..1 + i % 30)
+            .map(|_| Ray::new(near(first.origin, size.max_element() * spread), near(first.direction, spread)))
+            .collect();
+        let len = bundle.len();
+        match i % 11 {
+            0 => bundle[len / 2] = Ray::new(first.origin, Vec3::ZERO),
+            1 => bundle[len / 2].direction = -first.direction,
+            2 => bundle[len / 2].origin = Vec3::splat(1e30),
+            3 => bundle[len - 1].direction *= 1e-30,
+            _ => {}
+        }
+        bundle
+    };
+    starts.iter().enumerate().map(bundle).collect()
+}
+
+/// Many rays asked at once get the answers that each gets alone; returns the number of hits.
+pub fn agree_together(tree: &dyn Accel, n: usize) -> usize {
+    let mut hits = 0;
+    let mut c = Counters::default();
+    for rays in bundles(tree.geometry(), n) {
+        for interval in [Interval::FORWARD, Interval::ALL, Interval::up_to(0.5)] {
+            let (mut together, mut any) = (vec![None; rays.len()], vec![true; rays.len()]);
+            tree.nearest_many(&rays, interval, &mut together, &mut c);
+            tree.any_many(&rays, interval, &mut any, &mut c);
+            for ((ray, hit), any) in rays.iter().zip(together).zip(any) {
+                assert_eq!(hit, tree.nearest(ray, interval, &mut c), "{ray:?} {interval:?}");
+                assert_eq!(any, hit.is_some(), "{ray:?} {interval:?}");
+                hits += usize::from(any);
+            }
+        }
+    }
+    hits
+}
+
 /// Squares in one plane that lie upon each other in different arrangements, two triangles each,
 /// and rays from far away: every ray has several hits of equal or neighbouring t, which stand in
 /// different leaves.
