@@ -142,6 +142,7 @@ impl Accel for Bvh<'_> {
         hits: &mut [Option<Hit>],
         counters: &mut Counters,
     ) {
+        assert_eq!(rays.len(), hits.len());
         hits.fill(None);
         if !self.geometry.sheets().is_empty() {
             for (ray, hit) in rays.iter().zip(hits.iter_mut()).filter(|(ray, _)| ray.is_usable()) {
@@ -154,6 +155,7 @@ impl Accel for Bvh<'_> {
     }
 
     fn any_many(&self, rays: &[Ray], interval: Interval, hit: &mut [bool], counters: &mut Counters) {
+        assert_eq!(rays.len(), hit.len());
         hit.fill(false);
         if !self.geometry.sheets().is_empty() {
             for (ray, hit) in rays.iter().zip(hit.iter_mut()).filter(|(ray, _)| ray.is_usable()) {

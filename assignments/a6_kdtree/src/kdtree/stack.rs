@@ -22,11 +22,19 @@ pub struct Stack {
 }
 
 impl Stack {
-    /// Holds the root, where the ray is from `enter` to `exit`.
+    /// An empty stack.
     #[inline(always)]
-    pub fn new(enter: f64, exit: f64) -> Self {
-        let root = Waiting { enter, exit, node: 0 };
-        Self { entries: [root; STACK], len: 1, spill: Vec::new() }
+    pub fn new() -> Self {
+        let nothing = Waiting { enter: 0.0, exit: 0.0, node: 0 };
+        Self { entries: [nothing; STACK], len: 0, spill: Vec::new() }
+    }
+
+    /// Holds only the root, where the ray is from `enter` to `exit`.
+    #[inline(always)]
+    pub fn restart(&mut self, enter: f64, exit: f64) {
+        self.spill.clear();
+        self.entries[0] = Waiting { enter, exit, node: 0 };
+        self.len = 1;
     }
 
     /// Puts a node on top.
@@ -75,7 +83,8 @@ mod tests {
 
     #[test]
     fn a6t1_more_than_fits_comes_back_in_order() {
-        let mut stack = Stack::new(0.0, 1000.0);
+        let mut stack = Stack::new();
+        stack.restart(0.0, 1000.0);
         let node = |node: u32| Waiting { enter: f64::from(1000 - node), exit: 1000.0, node };
         (1..100).for_each(|n| stack.push(node(n)));
         let order: Vec<u32> = std::iter::from_fn(|| stack.pop(950.0).map(|w| w.node)).collect();

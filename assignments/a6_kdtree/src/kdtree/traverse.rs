@@ -18,7 +18,6 @@ use common::simd::{self, Simd, dispatch};
 
 /// One ray on its way through the tree.
 struct Query {
-    ray: Ray,
     interval: Interval,
     exact: ExactRay,
     filter: Filter,
@@ -44,7 +43,6 @@ impl Query {
         let [x, y, z] = exact.direction.to_array().map(|d| (d + 0.0).recip());
         let [ox, oy, oz] = exact.origin.to_array();
         let mut query = Self {
-            ray: *ray,
             interval,
             exact,
             filter: Filter::new(ray, &tree.triangle_bounds),
@@ -122,63 +120,132 @@ impl KdTree<'_> {
     fn nearest_in<S: Simd>(
         &self,
         simd: S,
-        query: &Query,
+        ray: &Ray,
+        interval: Interval,
+        stack: &mut Stack,
         mut best: Option<Hit>,
         c: &mut Counters,
     ) -> Option<Hit> {
-        let job = Job { filter: &query.filter, ray: &query.ray, interval: query.interval };
-        let mut stack = Stack::new(query.enter, query.exit);
-        let last = |best: &Option<Hit>| f64::from(best.map_or(query.interval.max, |b| b.t)) + query.margin;
-        while let Some(leaf) = self.next_leaf(query, &mut stack, last(&best), c) {
+        let Some(query) = Query::new(self, ray, interval) else { return best };
+        let job = Job { filter: &query.filter, ray, interval };
+        stack.restart(query.enter, query.exit);
+        let mut last = best.map_or(interval.max, |b| b.t);
+        while let Some(leaf) = self.next_leaf(&query, stack, f64::from(last) + query.margin, c) {
             let (blocks, solids) = self.held(leaf);
-            best = job.nearest(simd, blocks, best, c);
-            let solids = solids.iter().copied();
-            best = self.geometry.nearest_solid(solids, &query.exact, query.interval, best, c);
+            for block in blocks {
+                last = job.nearest_of(simd, block, block.len(), last, &mut best, c);
+            }
+            if !solids.is_empty() {
+                let solids = solids.iter().copied();
+                best = self.geometry.nearest_solid(solids, &query.exact, interval, best, c);
+                last = best.map_or(last, |b| b.t.min(last));
+            }
         }
         best
     }
 
     #[inline(always)]
-    fn any_in<S: Simd>(&self, simd: S, query: &Query, c: &mut Counters) -> bool {
-        let job = Job { filter: &query.filter, ray: &query.ray, interval: query.interval };
-        let mut stack = Stack::new(query.enter, query.exit);
-        while let Some(leaf) = self.next_leaf(query, &mut stack, f64::INFINITY, c) {
+    fn any_in<S: Simd>(
+        &self,
+        simd: S,
+        ray: &Ray,
+        interval: Interval,
+        stack: &mut Stack,
+        c: &mut Counters,
+    ) -> bool {
+        let Some(query) = Query::new(self, ray, interval) else { return false };
+        let job = Job { filter: &query.filter, ray, interval };
+        stack.restart(query.enter, query.exit);
+        while let Some(leaf) = self.next_leaf(&query, stack, f64::INFINITY, c) {
             let (blocks, solids) = self.held(leaf);
             let solids = solids.iter().copied();
-            if job.any(simd, blocks, c) || self.geometry.any_solid(solids, &query.exact, query.interval, c) {
+            if job.any(simd, blocks, c) || self.geometry.any_solid(solids, &query.exact, interval, c) {
                 return true;
             }
         }
         false
     }
+
+    /// Planes and discs, which are in no tree.
+    fn nearest_sheet(&self, ray: &Ray, interval: Interval, c: &mut Counters) -> Option<Hit> {
+        match self.geometry.sheets() {
+            [] => None,
+            _ => self.geometry.nearest_sheet(&ExactRay::new(ray), interval, c),
+        }
+    }
+
+    fn any_sheet(&self, ray: &Ray, interval: Interval, c: &mut Counters) -> bool {
+        !self.geometry.sheets().is_empty() && self.geometry.any_sheet(&ExactRay::new(ray), interval, c)
+    }
+
+    /// One ray after the other, all with one stack.
+    #[inline(always)]
+    fn each_nearest<S: Simd>(
+        &self,
+        simd: S,
+        rays: &[Ray],
+        interval: Interval,
+        hits: &mut [Option<Hit>],
+        c: &mut Counters,
+    ) {
+        let mut stack = Stack::new();
+        for (ray, hit) in rays.iter().zip(hits) {
+            *hit = None;
+            if ray.is_usable() {
+                let sheet = self.nearest_sheet(ray, interval, c);
+                *hit = match self.nodes.is_empty() {
+                    true => sheet,
+                    false => self.nearest_in(simd, ray, interval, &mut stack, sheet, c),
+                };
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn each_any<S: Simd>(
+        &self,
+        simd: S,
+        rays: &[Ray],
+        interval: Interval,
+        hit: &mut [bool],
+        c: &mut Counters,
+    ) {
+        let mut stack = Stack::new();
+        for (ray, hit) in rays.iter().zip(hit) {
+            *hit = ray.is_usable()
+                && (self.any_sheet(ray, interval, c)
+                    || !self.nodes.is_empty() && self.any_in(simd, ray, interval, &mut stack, c));
+        }
+    }
 }
 
 impl Accel for KdTree<'_> {
     fn nearest(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> Option<Hit> {
-        if !ray.is_usable() {
-            return None;
-        }
-        let exact = ExactRay::new(ray);
-        let best = self.geometry.nearest_sheet(&exact, interval, counters);
-        if self.nodes.is_empty() {
-            return best;
-        }
-        let Some(query) = Query::new(self, ray, interval) else { return best };
-        dispatch!(simd::level(), s => self.nearest_in(s, &query, best, counters))
+        let mut hit = [None];
+        self.nearest_many(std::slice::from_ref(ray), interval, &mut hit, counters);
+        hit[0]
     }
 
     fn any(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> bool {
-        if !ray.is_usable() {
-            return false;
-        }
-        if self.geometry.any_sheet(&ExactRay::new(ray), interval, counters) {
-            return true;
-        }
-        if self.nodes.is_empty() {
-            return false;
-        }
-        let Some(query) = Query::new(self, ray, interval) else { return false };
-        dispatch!(simd::level(), s => self.any_in(s, &query, counters))
+        let mut hit = [false];
+        self.any_many(std::slice::from_ref(ray), interval, &mut hit, counters);
+        hit[0]
+    }
+
+    fn nearest_many(
+        &self,
+        rays: &[Ray],
+        interval: Interval,
+        hits: &mut [Option<Hit>],
+        counters: &mut Counters,
+    ) {
+        assert_eq!(rays.len(), hits.len());
+        dispatch!(simd::level(), s => self.each_nearest(s, rays, interval, hits, counters));
+    }
+
+    fn any_many(&self, rays: &[Ray], interval: Interval, hit: &mut [bool], counters: &mut Counters) {
+        assert_eq!(rays.len(), hit.len());
+        dispatch!(simd::level(), s => self.each_any(s, rays, interval, hit, counters));
     }
 
     fn geometry(&self) -> &Geometry {
