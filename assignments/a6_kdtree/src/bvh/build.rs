@@ -43,7 +43,8 @@ impl<'g> Bvh<'g> {
             let mut desk = Desk { items: [&mut items, &mut spare], order: &mut order, first: 0 };
             part.grow(group, &mut desk, 1);
         }
-        let pack = |&(first, len): &(u32, u32)| block(geometry, &order[first as usize..(first + len) as usize]);
+        let pack =
+            |&(first, len): &(u32, u32)| block(geometry, &order[first as usize..(first + len) as usize]);
         let blocks = part.leaves.par_iter().with_min_len(256).map(pack).collect();
         order.truncate(solids);
         let solids = order;
