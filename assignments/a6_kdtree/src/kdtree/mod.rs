@@ -8,9 +8,12 @@
 mod build;
 mod clip;
 mod event;
+mod pile;
+mod plan;
 mod reference;
 mod sah;
 mod stack;
+mod sweep;
 mod traverse;
 mod tree;
 mod validate;

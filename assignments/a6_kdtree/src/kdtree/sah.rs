@@ -5,7 +5,8 @@
 //! children costs [`STEP`], asking a block of up to eight triangles costs 1, asking a solid as
 //! much.
 
-use super::event::{Event, Events, Kind};
+use super::event::{Event, Kind};
+use super::sweep::{self, Line};
 use common::math::Bounds;
 use common::shape::triangle_block::LANES;
 
@@ -15,7 +16,7 @@ use common::shape::triangle_block::LANES;
 pub const STEP: f64 = 1.1;
 
 /// What a split that cuts off empty space costs, as a share of what it would (Wald & Havran).
-const EMPTY_BONUS: f64 = 0.8;
+pub const EMPTY_BONUS: f64 = 0.8;
 
 /// Half the surface of a box.
 pub fn half_area(bounds: &Bounds) -> f64 {
@@ -97,8 +98,24 @@ impl Sweep {
         Some(if b.cost < a.cost { b } else { a })
     }
 
+    /// What the fast sweep needs to know.
+    fn line(&self) -> Line {
+        let (face, around) = (self.face * self.inverse_area, self.around * self.inverse_area);
+        Line { low: self.low, high: self.high, face: face as f32, around: around as f32 }
+    }
+
     /// The cheapest plane of sorted events; `total` is the weight of all references.
     fn cheapest(&self, events: &[Event], total: u32) -> Option<Split> {
+        if events.iter().any(|e| e.kind() == Kind::Planar as u32) {
+            return self.cheapest_of_groups(events, total);
+        }
+        let best = sweep::cheapest(events, &self.line(), total)?;
+        let cost = self.cost(best.at, best.left, best.right);
+        Some(Split { axis: self.axis, at: best.at, planar_left: true, cost })
+    }
+
+    /// The same, event by event, where boxes may lie in the plane.
+    fn cheapest_of_groups(&self, events: &[Event], total: u32) -> Option<Split> {
         let mut best: Option<Split> = None;
         let (mut left, mut right) = (0, total);
         let mut i = 0;
@@ -128,16 +145,16 @@ impl Sweep {
 const _: () = assert!(Kind::End as u32 == 0 && Kind::Planar as u32 == 1 && Kind::Start as u32 == 2);
 
 /// The cheapest plane of all; `None` if no plane separates anything.
-pub fn cheapest_split(events: &Events, bounds: &Bounds, total: u32) -> Option<Split> {
+pub fn cheapest_split(events: [&[Event]; 3], bounds: &Bounds, total: u32) -> Option<Split> {
     (0..3)
-        .filter_map(|axis| Sweep::new(bounds, axis).cheapest(&events[axis], total))
+        .filter_map(|axis| Sweep::new(bounds, axis).cheapest(events[axis], total))
         .reduce(|best, split| if split.cost < best.cost { split } else { best })
         .filter(|split| split.cost.is_finite())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::event;
+    use super::super::event::{self, Events};
     use super::*;
     use common::math::Vec3;
 
@@ -152,7 +169,7 @@ mod tests {
             event::push(&mut events, &Bounds { min, max: min + Vec3::new(0.0625, 1.0, 1.0) }, false, i);
         }
         events.iter_mut().for_each(|e| e.sort_unstable());
-        let split = cheapest_split(&events, &bounds, 32).unwrap();
+        let split = cheapest_split(events.each_ref().map(Vec::as_slice), &bounds, 32).unwrap();
         assert_eq!((split.axis, split.at), (0, 1.0));
         assert!(split.cost < 0.81 * leaf_cost(32));
     }
@@ -163,6 +180,6 @@ mod tests {
         let mut events = Events::default();
         (0..9).for_each(|i| event::push(&mut events, &bounds, true, i));
         events.iter_mut().for_each(|e| e.sort_unstable());
-        assert!(cheapest_split(&events, &bounds, 72).is_none());
+        assert!(cheapest_split(events.each_ref().map(Vec::as_slice), &bounds, 72).is_none());
     }
 }

@@ -1,0 +1,106 @@
+//! The sweep along one axis, many events at a time.
+//!
+//! Where no box lies in a plane, every event can be priced by itself: ends come before starts at
+//! the same position, so an end that is not the last there counts too much on the right, a start
+//! that is not the first too much on the left, and neither is cheaper than the plane really is.
+//! So nothing has to be grouped, and what a plane costs is computed side by side.
+
+use super::event::{Event, Kind};
+use super::sah::{EMPTY_BONUS, STEP, weight};
+use common::shape::triangle_block::LANES;
+use common::simd::{self, Simd, dispatch};
+
+/// Events that are priced together.
+const CHUNK: usize = 64;
+
+/// The node's extent along the axis, and the chance that a ray meets a part of it of length x:
+/// face + x·around.
+pub struct Line {
+    /// Where it begins.
+    pub low: f32,
+    /// Where it ends.
+    pub high: f32,
+    /// For a part without length.
+    pub face: f32,
+    /// Per length.
+    pub around: f32,
+}
+
+/// A plane and the weight on both sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Where.
+    pub at: f32,
+    /// Weight below it.
+    pub left: u32,
+    /// Weight above it.
+    pub right: u32,
+}
+
+/// The cheapest plane inside the node of sorted events, none of them planar; `total` is the
+/// weight of all references.
+pub fn cheapest(events: &[Event], line: &Line, total: u32) -> Option<Plane> {
+    dispatch!(simd::level(), s => cheapest_in(s, events, line, total))
+}
+
+#[inline(always)]
+fn cheapest_in<S: Simd>(_: S, events: &[Event], line: &Line, total: u32) -> Option<Plane> {
+    let (mut best, mut found) = (f32::INFINITY, None);
+    let (mut left, mut right) = (0, total);
+    for events in events.chunks(CHUNK) {
+        let mut chunk = Chunk { place: [0; CHUNK], left: [0; CHUNK], right: [0; CHUNK] };
+        for (i, event) in events.iter().enumerate() {
+            let start = event.kind() / Kind::Start as u32;
+            let weight = weight(event.is_solid());
+            right -= weight * (1 - start);
+            (chunk.place[i], chunk.left[i], chunk.right[i]) = (event.place(), left, right);
+            left += weight * start;
+        }
+        let mut costs = [f32::INFINITY; CHUNK];
+        chunk.price(line, &mut costs);
+        let least = least_of(&costs[..events.len()]);
+        if least < best {
+            let i = costs.iter().position(|cost| *cost == least).unwrap_or(0);
+            best = least;
+            found = Some(Plane { at: Event::position(chunk.place[i]), left: chunk.left[i], right: chunk.right[i] });
+        }
+    }
+    found
+}
+
+/// What is before and behind some planes.
+struct Chunk {
+    place: [u32; CHUNK],
+    left: [u32; CHUNK],
+    right: [u32; CHUNK],
+}
+
+impl Chunk {
+    /// What each plane costs; without a branch, so that it becomes vector code.
+    #[inline(always)]
+    fn price(&self, line: &Line, costs: &mut [f32; CHUNK]) {
+        for i in 0..CHUNK {
+            let at = Event::position(self.place[i]);
+            let (left, right) = (self.left[i], self.right[i]);
+            let below = (line.face + (at - line.low) * line.around) * blocks(left);
+            let above = (line.face + (line.high - at) * line.around) * blocks(right);
+            let bonus = if (left == 0) | (right == 0) { EMPTY_BONUS as f32 } else { 1.0 };
+            let cost = (STEP as f32 + below + above) * bonus;
+            costs[i] = if (at > line.low) & (at < line.high) { cost } else { f32::INFINITY };
+        }
+    }
+}
+
+#[inline(always)]
+fn blocks(weight: u32) -> f32 {
+    (weight.wrapping_add(LANES as u32 - 1) / LANES as u32) as i32 as f32
+}
+
+#[inline(always)]
+fn least_of(costs: &[f32]) -> f32 {
+    let mut least = f32::INFINITY;
+    for cost in costs {
+        least = if *cost < least { *cost } else { least };
+    }
+    least
+}
