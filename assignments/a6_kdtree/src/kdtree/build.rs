@@ -1,6 +1,7 @@
 //! From the root down: choose a plane, divide what the node holds, go on with both parts.
 
 use super::clip::halves;
+use super::coarse;
 use super::event::{self, Event, Events, MAX_REFERENCES};
 use super::plan::{Plan, PlanNode};
 use super::pile::{Base, Fresh, Pile};
@@ -15,6 +16,10 @@ pub const MAX_DEPTH: u32 = 60;
 
 /// Nodes with fewer references are built by one thread.
 const WORTH_A_THREAD: usize = 2048;
+
+/// Nodes with more references choose among planes at equal distances ([`coarse`]); the rest
+/// among all that could be best.
+const LARGE: usize = 4096;
 
 /// References that all leaves together may hold, per primitive: what cannot be told apart by
 /// planes must not be copied into ever more leaves.
@@ -55,6 +60,8 @@ struct Cell {
     bounds: Bounds,
     /// From where on the pile is its own.
     base: Base,
+    /// Whether its events are there.
+    is_sorted: bool,
     depth: u32,
     /// References that the leaves below may hold.
     budget: usize,
@@ -90,10 +97,10 @@ impl<'g> Builder<'g> {
     pub fn build(&self, references: Vec<Reference>, bounds: Bounds) -> Plan {
         assert!(references.len() < MAX_REFERENCES, "at most 2^29 primitives");
         let budget = references.len() * MOST_COPIES;
-        let events = if self.rule == Rule::Sah { self.events(&references) } else { Events::default() };
-        let mut pile = Pile::new(references, events);
+        let mut pile = Pile::new(references, Events::default());
         let mut plan = Plan::default();
-        self.subtree(Cell { bounds, base: Base::default(), depth: 0, budget }, &mut pile, &mut plan);
+        let root = Cell { bounds, base: Base::default(), is_sorted: false, depth: 0, budget };
+        self.subtree(root, &mut pile, &mut plan);
         plan
     }
 
@@ -108,18 +115,18 @@ impl<'g> Builder<'g> {
         solid_index(self.geometry, reference.primitive).is_some()
     }
 
-    fn events(&self, references: &[Reference]) -> Events {
-        let mut events: Events = std::array::from_fn(|_| Vec::with_capacity(2 * references.len()));
-        for (i, reference) in references.iter().enumerate() {
-            event::push(&mut events, &reference.bounds, self.is_solid(reference), i);
+    /// Sorts the boxes' ends once and for all that is below.
+    fn sort(&self, cell: &mut Cell, pile: &mut Pile) {
+        let count = pile.references.len() - cell.base.references;
+        if self.rule == Rule::Sah && !cell.is_sorted && count <= LARGE {
+            pile.sort(&cell.base, |reference| self.is_solid(reference));
+            cell.is_sorted = true;
         }
-        let [x, y, z] = &mut events;
-        rayon::join(|| x.sort_unstable(), || rayon::join(|| y.sort_unstable(), || z.sort_unstable()));
-        events
     }
 
     /// Adds the subtree of the cell on top of the pile, and takes that off.
-    fn subtree(&self, cell: Cell, pile: &mut Pile, plan: &mut Plan) {
+    fn subtree(&self, mut cell: Cell, pile: &mut Pile, plan: &mut Plan) {
+        self.sort(&mut cell, pile);
         let split = self.choose(&cell, pile.references(&cell.base));
         let Some((split, [left, right])) = split.and_then(|s| Some((s, self.divide(&cell, &s, pile)?))) else {
             plan.leaf(pile.references(&cell.base).0);
@@ -153,7 +160,11 @@ impl<'g> Builder<'g> {
         match self.rule {
             Rule::Sah => {
                 let total = self.weight(references);
-                let cheapest = cheapest_split(events, &cell.bounds, total);
+                let cheapest = if cell.is_sorted {
+                    cheapest_split(events, &cell.bounds, total)
+                } else {
+                    coarse::cheapest_split(references, &cell.bounds, |r| sah::weight(self.is_solid(r)))
+                };
                 cheapest.filter(|split| split.cost < leaf_cost(total))
             }
             Rule::Median => cell.across_longest(references, |axis| {
@@ -177,7 +188,7 @@ impl<'g> Builder<'g> {
             for (side, bounds) in reference.parts(self.geometry, split).into_iter().enumerate() {
                 let Some(bounds) = bounds else { continue };
                 let Fresh { references, events } = &mut pile.fresh[side];
-                if self.rule == Rule::Sah {
+                if cell.is_sorted {
                     let index = whole[side] as usize + references.len();
                     event::push(events, &bounds, self.is_solid(&reference), index);
                 }
@@ -194,7 +205,7 @@ impl<'g> Builder<'g> {
         let [left, right] = halves(&cell.bounds, split.axis, split.at);
         let child = |side: usize, bounds: Bounds| {
             let budget = cell.budget * sizes[side] / total.max(1);
-            Cell { bounds, base: bases[side], depth: cell.depth + 1, budget }
+            Cell { bounds, base: bases[side], is_sorted: cell.is_sorted, depth: cell.depth + 1, budget }
         };
         Some([child(0, left), child(1, right)])
     }

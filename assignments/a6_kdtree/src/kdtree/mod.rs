@@ -7,6 +7,7 @@
 
 mod build;
 mod clip;
+mod coarse;
 mod event;
 mod pile;
 mod plan;

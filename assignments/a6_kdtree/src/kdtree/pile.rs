@@ -53,6 +53,16 @@ impl Pile {
         (&self.references[base.references..], events)
     }
 
+    /// Makes the uppermost node's events, of which there are none yet, as in the nodes below.
+    pub fn sort(&mut self, base: &Base, is_solid: impl Fn(&Reference) -> bool) {
+        for (i, reference) in self.references[base.references..].iter().enumerate() {
+            event::push(&mut self.events, &reference.bounds, is_solid(reference), i);
+        }
+        for (events, start) in self.events.iter_mut().zip(base.events) {
+            events[start..].sort_unstable();
+        }
+    }
+
     /// Removes the uppermost node.
     pub fn take_off(&mut self, base: &Base) {
         self.references.truncate(base.references);

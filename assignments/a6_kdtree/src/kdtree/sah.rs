@@ -50,7 +50,7 @@ pub struct Split {
 }
 
 /// Prices the planes of one axis.
-struct Sweep {
+pub struct Sweep {
     axis: usize,
     low: f32,
     high: f32,
@@ -62,7 +62,8 @@ struct Sweep {
 }
 
 impl Sweep {
-    fn new(bounds: &Bounds, axis: usize) -> Self {
+    /// Across `axis` in a node with the box `bounds`.
+    pub fn new(bounds: &Bounds, axis: usize) -> Self {
         let size = bounds.max.as_dvec3() - bounds.min.as_dvec3();
         let (u, v) = (size[(axis + 1) % 3], size[(axis + 2) % 3]);
         let (low, high) = (bounds.min[axis], bounds.max[axis]);
@@ -71,7 +72,7 @@ impl Sweep {
 
     /// The cost of a plane with so much on each side.
     #[inline]
-    fn cost(&self, at: f32, left: u32, right: u32) -> f64 {
+    pub fn cost(&self, at: f32, left: u32, right: u32) -> f64 {
         let side = |length: f64, weight: u32| (self.face + length * self.around) * leaf_cost(weight);
         let (below, above) = (f64::from(at) - f64::from(self.low), f64::from(self.high) - f64::from(at));
         let cost = STEP + (side(below, left) + side(above, right)) * self.inverse_area;
