@@ -3,10 +3,10 @@
 use super::clip::halves;
 use super::coarse;
 use super::event::{self, Event, Events, MAX_REFERENCES};
-use super::plan::{Plan, PlanNode};
 use super::pile::{Base, Fresh, Pile};
+use super::plan::{Plan, PlanNode};
 use super::reference::{self, Reference, solid_index};
-use super::sah::{self, Split, cheapest_split, leaf_cost};
+use super::sah::{self, Split, cheapest_split};
 use common::geometry::Geometry;
 use common::math::Bounds;
 use common::shape::triangle_block::LANES;
@@ -128,7 +128,8 @@ impl<'g> Builder<'g> {
     fn subtree(&self, mut cell: Cell, pile: &mut Pile, plan: &mut Plan) {
         self.sort(&mut cell, pile);
         let split = self.choose(&cell, pile.references(&cell.base));
-        let Some((split, [left, right])) = split.and_then(|s| Some((s, self.divide(&cell, &s, pile)?))) else {
+        let Some((split, [left, right])) = split.and_then(|s| Some((s, self.divide(&cell, &s, pile)?)))
+        else {
             plan.leaf(pile.references(&cell.base).0);
             pile.take_off(&cell.base);
             return;
@@ -160,12 +161,15 @@ impl<'g> Builder<'g> {
         match self.rule {
             Rule::Sah => {
                 let total = self.weight(references);
+                if sah::is_surely_leaf(total) {
+                    return None;
+                }
                 let cheapest = if cell.is_sorted {
                     cheapest_split(events, &cell.bounds, total)
                 } else {
                     coarse::cheapest_split(references, &cell.bounds, |r| sah::weight(self.is_solid(r)))
                 };
-                cheapest.filter(|split| split.cost < leaf_cost(total))
+                cheapest.filter(|split| split.cost < f64::from(sah::price(total)))
             }
             Rule::Median => cell.across_longest(references, |axis| {
                 let (low, high) = (cell.bounds.min[axis], cell.bounds.max[axis]);
@@ -201,7 +205,8 @@ impl<'g> Builder<'g> {
             pile.fresh = Default::default();
             return None;
         }
-        let bases = [pile.divide(&cell.base), cell.base];
+        let surely_leaf = |size: usize| self.geometry.solids().is_empty() && sah::is_surely_leaf(size as u32);
+        let bases = [pile.divide(&cell.base, sizes.map(|size| !surely_leaf(size))), cell.base];
         let [left, right] = halves(&cell.bounds, split.axis, split.at);
         let child = |side: usize, bounds: Bounds| {
             let budget = cell.budget * sizes[side] / total.max(1);

@@ -103,8 +103,8 @@ impl Pile {
     }
 
     /// Puts the lower child on top of the upper one, as judged, and both with their fresh parts;
-    /// returns where the lower child begins.
-    pub fn divide(&mut self, base: &Base) -> Base {
+    /// returns where the lower child begins. Only those that `need` them get events.
+    pub fn divide(&mut self, base: &Base, need: [bool; 2]) -> Base {
         let start = base.references;
         self.lower.clear();
         let mut upper = start;
@@ -127,11 +127,20 @@ impl Pile {
         self.references.append(&mut below.references);
         for axis in 0..3 {
             let events = &mut self.events[axis];
-            event::hand_down(events, base.events[axis], &self.fates, &mut self.lower_events);
-            event::merge(events, base.events[axis], &mut above.events[axis]);
+            let (below, above) = (&mut below.events[axis], &mut above.events[axis]);
+            if need != [false; 2] {
+                event::hand_down(events, base.events[axis], &self.fates, &mut self.lower_events);
+            }
+            if need[1] {
+                event::merge(events, base.events[axis], above);
+            }
             begin.events[axis] = events.len();
-            events.extend_from_slice(&self.lower_events);
-            event::merge(events, begin.events[axis], &mut below.events[axis]);
+            if need[0] {
+                events.extend_from_slice(&self.lower_events);
+                event::merge(events, begin.events[axis], below);
+            }
+            below.clear();
+            above.clear();
         }
         begin
     }

@@ -6,12 +6,11 @@
 //! So nothing has to be grouped, and what a plane costs is computed side by side.
 
 use super::event::{Event, Kind};
-use super::sah::{EMPTY_BONUS, STEP, weight};
-use common::shape::triangle_block::LANES;
-use common::simd::{self, Simd, dispatch};
+use super::sah::{EMPTY_BONUS, STEP, price, weight};
+use common::simd::{self, Simd, SimdBase, dispatch, f32x8};
 
 /// Events that are priced together.
-const CHUNK: usize = 64;
+const CHUNK: usize = 32;
 
 /// The node's extent along the axis, and the chance that a ray meets a part of it of length x:
 /// face + x·around.
@@ -44,10 +43,11 @@ pub fn cheapest(events: &[Event], line: &Line, total: u32) -> Option<Plane> {
 }
 
 #[inline(always)]
-fn cheapest_in<S: Simd>(_: S, events: &[Event], line: &Line, total: u32) -> Option<Plane> {
+fn cheapest_in<S: Simd>(simd: S, events: &[Event], line: &Line, total: u32) -> Option<Plane> {
     let (mut best, mut found) = (f32::INFINITY, None);
     let (mut left, mut right) = (0, total);
     for events in events.chunks(CHUNK) {
+        // The place 0 is a NaN, which is nowhere inside.
         let mut chunk = Chunk { place: [0; CHUNK], left: [0; CHUNK], right: [0; CHUNK] };
         for (i, event) in events.iter().enumerate() {
             let start = event.kind() / Kind::Start as u32;
@@ -58,11 +58,15 @@ fn cheapest_in<S: Simd>(_: S, events: &[Event], line: &Line, total: u32) -> Opti
         }
         let mut costs = [f32::INFINITY; CHUNK];
         chunk.price(line, &mut costs);
-        let least = least_of(&costs[..events.len()]);
+        let least = least_of(simd, &costs);
         if least < best {
             let i = costs.iter().position(|cost| *cost == least).unwrap_or(0);
             best = least;
-            found = Some(Plane { at: Event::position(chunk.place[i]), left: chunk.left[i], right: chunk.right[i] });
+            found = Some(Plane {
+                at: Event::position(chunk.place[i]),
+                left: chunk.left[i],
+                right: chunk.right[i],
+            });
         }
     }
     found
@@ -82,25 +86,22 @@ impl Chunk {
         for i in 0..CHUNK {
             let at = Event::position(self.place[i]);
             let (left, right) = (self.left[i], self.right[i]);
-            let below = (line.face + (at - line.low) * line.around) * blocks(left);
-            let above = (line.face + (line.high - at) * line.around) * blocks(right);
-            let bonus = if (left == 0) | (right == 0) { EMPTY_BONUS as f32 } else { 1.0 };
-            let cost = (STEP as f32 + below + above) * bonus;
+            let below = (line.face + (at - line.low) * line.around) * price(left);
+            let above = (line.face + (line.high - at) * line.around) * price(right);
+            let bonus = if (left == 0) | (right == 0) { EMPTY_BONUS } else { 1.0 };
+            let cost = (STEP + below + above) * bonus;
             costs[i] = if (at > line.low) & (at < line.high) { cost } else { f32::INFINITY };
         }
     }
 }
 
 #[inline(always)]
-fn blocks(weight: u32) -> f32 {
-    (weight.wrapping_add(LANES as u32 - 1) / LANES as u32) as i32 as f32
-}
-
-#[inline(always)]
-fn least_of(costs: &[f32]) -> f32 {
-    let mut least = f32::INFINITY;
-    for cost in costs {
-        least = if *cost < least { *cost } else { least };
+fn least_of<S: Simd>(simd: S, costs: &[f32; CHUNK]) -> f32 {
+    let mut least = f32x8::splat(simd, f32::INFINITY);
+    for costs in costs.chunks_exact(8) {
+        least = least.min(f32x8::from_slice(simd, costs));
     }
-    least
+    let mut lanes = [0.0; 8];
+    least.store_slice(&mut lanes);
+    lanes.into_iter().fold(f32::INFINITY, |a, b| if b < a { b } else { a })
 }

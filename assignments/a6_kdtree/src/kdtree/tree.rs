@@ -1,8 +1,8 @@
 //! The tree laid out for rays: nodes of eight bytes, leaves of triangle blocks and solids.
 
 use super::build::{self, Options};
-use super::plan::{Next, PlanNode, Reader};
 use super::clip::halves;
+use super::plan::{Next, PlanNode, Reader};
 use super::sah::{self, half_area, leaf_cost};
 use common::geometry::Geometry;
 use common::math::Bounds;
@@ -142,7 +142,7 @@ impl<'g> KdTree<'g> {
             Next::Inner(axis, at) => {
                 let child = self.nodes.len();
                 assert!(child < 1 << 30, "at most 2^30 nodes");
-                self.summary.cost += share * sah::STEP;
+                self.summary.cost += share * f64::from(sah::STEP);
                 self.nodes[place] = Node { data: at.to_bits(), word: (child as u32) << 2 | axis as u32 };
                 self.nodes.extend([Node { data: 0, word: LEAF }; 2]);
                 for (side, half) in halves(inside, axis, at).iter().enumerate() {
