@@ -207,3 +207,41 @@ fn around<S: Simd>(simd: S, boxes: &[Lanes]) -> Lanes {
     }
     stored(around)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use common::math::Vec3;
+    use common::simd::{dispatch, level};
+
+    /// What is left and right of a cut is what it says, and no bin of any axis cuts cheaper.
+    #[test]
+    fn a6t2_the_best_of_all_cuts() {
+        let random = |i: usize, k: usize| ((i * (17 + 8 * k) + i * i * (5 + k)) % 251) as f32;
+        let item = |i: usize| {
+            let min = Vec3::from([0, 1, 2].map(|k| random(i, k)));
+            Item::new(&Bounds { min, max: min + Vec3::new(9.0, 1.0, (i % 5) as f32) }, i as u32)
+        };
+        let items: Vec<Item> = (0..300).map(item).collect();
+        let [bounds, centers] = dispatch!(level(), s => measure(s, &items));
+        assert!(items.iter().enumerate().all(|(i, item)| item.index() == i as u32));
+        let found = dispatch!(level(), s => best_cut(s, &items, &centers, 3)).unwrap();
+        let grid = Grid::over(&centers).unwrap();
+        let cost = |cut: &Cut| {
+            let (left, right): (Vec<Item>, Vec<Item>) = items.iter().partition(|item| cut.is_left(item));
+            let of = |side: &[Item]| dispatch!(level(), s => measure(s, side))[0];
+            let cost = |side: &[Item]| half_area(&of(side)) * side.len().div_ceil(8) as f32;
+            (cost(&left) + cost(&right), left.len(), [of(&left), of(&right)])
+        };
+        let (least, left, sides) = cost(&found);
+        assert_eq!(left, found.left);
+        assert!((0..8).filter(|k| k % 4 < 3).all(|k| (0..2).all(|s| sides[s][k] == found.bounds[s][k])));
+        assert!(least < half_area(&bounds) * 38.0);
+        for (axis, bin) in (0..3).flat_map(|axis| (1..BINS).map(move |bin| (axis, bin))) {
+            let (low, scale) = (grid.low[axis], grid.scale[axis]);
+            let cut = Cut { axis, bin: bin as f32, low, scale, ..found };
+            let (cost, left, _) = cost(&cut);
+            assert!(left == 0 || left == items.len() || cost >= least);
+        }
+    }
+}
