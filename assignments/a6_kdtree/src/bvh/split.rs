@@ -136,9 +136,9 @@ pub fn best_cut<S: Simd>(simd: S, items: &[Item], centers: &Lanes, shift: u32) -
     let mut bins = [Bins { bounds: [NOTHING; BINS], count: [0; BINS] }; 3];
     fill(simd, items, &grid, &mut bins);
     let (mut best, mut found) = (f32::INFINITY, None);
-    for axis in 0..3 {
+    for (axis, bins) in bins.iter().enumerate() {
         if grid.scale[axis] > 0.0 {
-            let (cost, bin) = cheapest(simd, &bins[axis], shift);
+            let (cost, bin) = cheapest(simd, bins, shift);
             if cost < best {
                 (best, found) = (cost, Some((axis, bin)));
             }
@@ -176,7 +176,7 @@ fn fill<S: Simd>(simd: S, items: &[Item], grid: &Grid, bins: &mut [Bins; 3]) {
 /// The cost of the cheapest cut and the bin before which it is; ∞ if all are in one bin.
 #[inline(always)]
 fn cheapest<S: Simd>(simd: S, bins: &Bins, shift: u32) -> (f32, usize) {
-    let blocks = |items: u32| (items + (1 << shift) - 1 >> shift) as f32;
+    let blocks = |items: u32| ((items + (1 << shift) - 1) >> shift) as f32;
     let mut right = [(0.0, 0); BINS];
     let (mut around, mut count) = (f32x8::splat(simd, f32::NEG_INFINITY), 0);
     for bin in (1..BINS).rev() {
@@ -186,10 +186,9 @@ fn cheapest<S: Simd>(simd: S, bins: &Bins, shift: u32) -> (f32, usize) {
     }
     let (mut around, mut count) = (f32x8::splat(simd, f32::NEG_INFINITY), 0);
     let mut best = (f32::INFINITY, 0);
-    for bin in 1..BINS {
+    for (bin, &(right_area, right_count)) in right.iter().enumerate().skip(1) {
         around = around.max(f32x8::load_array_ref(simd, &bins.bounds[bin - 1]));
         count += bins.count[bin - 1];
-        let (right_area, right_count) = right[bin];
         let cost = half_area(&stored(around)) * blocks(count) + right_area * blocks(right_count);
         if cost < best.0 && count > 0 && right_count > 0 {
             best = (cost, bin);
