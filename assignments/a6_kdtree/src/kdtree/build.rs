@@ -6,13 +6,11 @@ use super::event::{self, Event, Events, MAX_REFERENCES};
 use super::pile::{Base, Fresh, Pile};
 use super::plan::{Plan, PlanNode};
 use super::reference::{self, Reference, solid_index};
+use super::rule::{MAX_DEPTH, Options, Rule};
 use super::sah::{self, Split, cheapest_split};
 use common::geometry::Geometry;
 use common::math::Bounds;
 use common::shape::triangle_block::LANES;
-
-/// Most planes between the root and a leaf.
-pub const MAX_DEPTH: u32 = 60;
 
 /// Nodes with fewer references are built by one thread.
 const WORTH_A_THREAD: usize = 2048;
@@ -24,36 +22,6 @@ const LARGE: usize = 4096;
 /// References that all leaves together may hold, per primitive: what cannot be told apart by
 /// planes must not be copied into ever more leaves.
 const MOST_COPIES: usize = 4;
-
-/// Where a node is cut.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum Rule {
-    /// In the middle of its longest side
-    Median,
-    /// So that both sides hold the same number of primitives, across its longest side
-    Objects,
-    /// Where the surface area heuristic expects rays to cost least
-    #[default]
-    Sah,
-}
-
-impl Rule {
-    /// All rules, for those who compare them.
-    pub const ALL: [Self; 3] = [Self::Median, Self::Objects, Self::Sah];
-}
-
-/// How to build.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Options {
-    /// Where nodes are cut.
-    pub rule: Rule,
-    /// Most planes between root and leaf, at most [`MAX_DEPTH`]. Else the median rules end at
-    /// 8 + 1.3 log₂ n and the heuristic where it pays no more.
-    pub max_depth: Option<u32>,
-    /// Nodes with no more primitives than this are not cut. Else two blocks' worth for the
-    /// median rules (about what the heuristic arrives at), and the heuristic decides for itself.
-    pub leaf: Option<u32>,
-}
 
 /// A node before it is cut.
 struct Cell {
@@ -115,10 +83,24 @@ impl<'g> Builder<'g> {
         solid_index(self.geometry, reference.primitive).is_some()
     }
 
+    /// The plane to cut at; `None` makes a leaf.
+    fn find(&self, cell: &mut Cell, pile: &mut Pile) -> Option<Split> {
+        let count = pile.references.len() - cell.base.references;
+        if count <= LARGE {
+            self.sort(cell, pile);
+        }
+        let split = self.choose(cell, pile.references(&cell.base));
+        if split.is_some() || cell.is_sorted || self.rule != Rule::Sah {
+            return split;
+        }
+        // What lies close together tells itself apart where no plane at equal distances does.
+        self.sort(cell, pile);
+        self.choose(cell, pile.references(&cell.base))
+    }
+
     /// Sorts the boxes' ends once and for all that is below.
     fn sort(&self, cell: &mut Cell, pile: &mut Pile) {
-        let count = pile.references.len() - cell.base.references;
-        if self.rule == Rule::Sah && !cell.is_sorted && count <= LARGE {
+        if self.rule == Rule::Sah && !cell.is_sorted {
             pile.sort(&cell.base, |reference| self.is_solid(reference));
             cell.is_sorted = true;
         }
@@ -126,8 +108,7 @@ impl<'g> Builder<'g> {
 
     /// Adds the subtree of the cell on top of the pile, and takes that off.
     fn subtree(&self, mut cell: Cell, pile: &mut Pile, plan: &mut Plan) {
-        self.sort(&mut cell, pile);
-        let split = self.choose(&cell, pile.references(&cell.base));
+        let split = self.find(&mut cell, pile);
         let Some((split, [left, right])) = split.and_then(|s| Some((s, self.divide(&cell, &s, pile)?)))
         else {
             plan.leaf(pile.references(&cell.base).0);
@@ -150,7 +131,7 @@ impl<'g> Builder<'g> {
         plans.into_iter().for_each(|below| plan.append(below));
     }
 
-    /// The plane to cut at; `None` makes a leaf.
+    /// The plane by the rule; with the heuristic, by the events if they are there.
     fn choose(&self, cell: &Cell, (references, events): (&[Reference], [&[Event]; 3])) -> Option<Split> {
         if references.len() <= self.leaf.max(usize::from(self.rule != Rule::Sah))
             || references.is_empty()

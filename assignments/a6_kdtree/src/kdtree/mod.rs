@@ -3,7 +3,8 @@
 //! Three rules say where to cut ([`Rule`]); the tree, its traversal and its checks are the same
 //! for all. The third rule, the surface area heuristic, is built in O(n log n) as Wald & Havran
 //! describe ("On building fast kd-Trees for Ray Tracing, and on doing that in O(N log N)",
-//! 2006): events are sorted once and kept sorted, triangles are clipped to the nodes.
+//! 2006): events are sorted once and kept sorted, triangles are clipped to the nodes. The few
+//! nodes of thousands choose among planes at equal distances, before anything is sorted.
 
 mod build;
 mod clip;
@@ -12,6 +13,7 @@ mod event;
 mod pile;
 mod plan;
 mod reference;
+mod rule;
 mod sah;
 mod stack;
 mod sweep;
@@ -19,5 +21,5 @@ mod traverse;
 mod tree;
 mod validate;
 
-pub use build::{MAX_DEPTH, Options, Rule};
+pub use rule::{MAX_DEPTH, Options, Rule};
 pub use tree::{KdTree, Summary};

@@ -74,8 +74,8 @@ impl Pile {
     /// The uppermost node, on a pile of its own.
     pub fn split_off(&mut self, base: &Base) -> Self {
         let mut events = Events::default();
-        for axis in 0..3 {
-            events[axis] = self.events[axis].split_off(base.events[axis]);
+        for (axis, own) in events.iter_mut().enumerate() {
+            *own = self.events[axis].split_off(base.events[axis]);
         }
         Self::new(self.references.split_off(base.references), events)
     }

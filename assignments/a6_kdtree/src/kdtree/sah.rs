@@ -216,12 +216,12 @@ mod tests {
             })
             .collect();
         events.iter_mut().for_each(|e| e.sort_unstable());
-        let weight = |r: &Reference| weight(r.primitive % 9 == 0);
+        let weight = |r: &Reference| weight(r.primitive.is_multiple_of(9));
         let total = references.iter().map(weight).sum();
-        for axis in 0..3 {
+        for (axis, events) in events.iter().enumerate() {
             let sweep = Sweep::new(&bounds, axis);
-            let slow = sweep.cheapest_of_groups(&events[axis], total).unwrap();
-            let fast = sweep.cheapest(&events[axis], total).unwrap();
+            let slow = sweep.cheapest_of_groups(events, total).unwrap();
+            let fast = sweep.cheapest(events, total).unwrap();
             assert!((fast.cost / slow.cost - 1.0).abs() < 1e-5, "{fast:?} {slow:?}");
         }
         let best = cheapest_split(events.each_ref().map(Vec::as_slice), &bounds, total).unwrap();

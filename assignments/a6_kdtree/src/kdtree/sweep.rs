@@ -83,14 +83,14 @@ impl Chunk {
     /// What each plane costs; without a branch, so that it becomes vector code.
     #[inline(always)]
     fn price(&self, line: &Line, costs: &mut [f32; CHUNK]) {
-        for i in 0..CHUNK {
+        for (i, cost) in costs.iter_mut().enumerate() {
             let at = Event::position(self.place[i]);
             let (left, right) = (self.left[i], self.right[i]);
             let below = (line.face + (at - line.low) * line.around) * price(left);
             let above = (line.face + (line.high - at) * line.around) * price(right);
             let bonus = if (left == 0) | (right == 0) { EMPTY_BONUS } else { 1.0 };
-            let cost = (STEP + below + above) * bonus;
-            costs[i] = if (at > line.low) & (at < line.high) { cost } else { f32::INFINITY };
+            let sum = (STEP + below + above) * bonus;
+            *cost = if (at > line.low) & (at < line.high) { sum } else { f32::INFINITY };
         }
     }
 }

@@ -1,8 +1,9 @@
 //! The tree laid out for rays: nodes of eight bytes, leaves of triangle blocks and solids.
 
-use super::build::{self, Options};
+use super::build;
 use super::clip::halves;
 use super::plan::{Next, PlanNode, Reader};
+use super::rule::Options;
 use super::sah::{self, half_area, leaf_cost};
 use common::geometry::Geometry;
 use common::math::Bounds;
