@@ -165,14 +165,15 @@ fn a6t1_the_heuristic_is_cheaper_than_the_middle() {
         let [median, objects, sah] = trees.each_ref().map(|tree| tree.summary().cost);
         assert!(sah < 0.85 * median && sah < 0.7 * objects, "{sah} {median} {objects}");
         for rays in [rays(&geometry, 2000), view(&geometry)] {
-            let tests = trees.each_ref().map(|tree| {
+            // In blocks of eight triangles, a step costing what the build takes it to cost.
+            let price = trees.each_ref().map(|tree| {
                 let mut c = Counters::default();
                 rays.iter().for_each(|ray| {
                     tree.nearest(ray, Interval::FORWARD, &mut c);
                 });
-                c.intersections
+                c.cells as f64 * 1.5 + c.intersections as f64 / 8.0
             });
-            assert!(tests[2] < tests[0] && tests[2] < tests[1], "{tests:?}");
+            assert!(price[2] < 0.9 * price[0] && price[2] < 0.9 * price[1], "{price:?}");
         }
     }
 }

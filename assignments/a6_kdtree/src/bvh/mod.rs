@@ -1,14 +1,15 @@
 //! A bounding volume hierarchy, eight children wide.
 //!
-//! Built as a binary tree by the binned surface area heuristic (Wald, "On fast Construction of
-//! SAH-based Bounding Volume Hierarchies", 2007), then collapsed so that one vector test asks
-//! eight boxes at once (Dammertz, Hanika & Keller 2008; Wald, Benthin & Boulos 2008). Leaves are
-//! blocks of eight triangles, as the list has them.
+//! Built by the binned surface area heuristic (Wald, "On fast Construction of SAH-based Bounding
+//! Volume Hierarchies", 2007) with eight children to a node, so that one vector test asks eight
+//! boxes at once (Dammertz, Hanika & Keller 2008; Wald, Benthin & Boulos 2008). Leaves are blocks
+//! of eight triangles, as the list has them.
 
-mod binary;
+mod build;
 mod bundle;
 mod frustum;
 mod packet;
+mod set;
 mod single;
 mod split;
 mod stack;
@@ -16,5 +17,4 @@ mod traverse;
 mod validate;
 mod wide;
 
-pub use binary::{Binary, BinaryNode};
 pub use wide::Bvh;

@@ -87,6 +87,23 @@ fn contains(outer: &Bounds, inner: &Bounds) -> bool {
 }
 
 impl Bvh<'_> {
+    /// What the surface area heuristic expects a ray that meets the root's box to cost, where a
+    /// node, a block and a solid cost 1 each.
+    pub fn cost(&self) -> f64 {
+        let area = |b: &Bounds| {
+            let s = b.size().as_dvec3();
+            s.x * s.y + s.y * s.z + s.z * s.x
+        };
+        let whole = area(&self.bounds).max(f64::MIN_POSITIVE);
+        let below = self.nodes.iter().flat_map(|node| {
+            node.used().map(|(lane, bounds)| match node.child[lane].held() {
+                Held::Solids(_, count) => area(&bounds) * count as f64,
+                _ => area(&bounds),
+            })
+        });
+        if self.nodes.is_empty() { 0.0 } else { 1.0 + below.sum::<f64>() / whole }
+    }
+
     /// All of the tree in text, to compare two builds.
     pub fn fingerprint(&self) -> String {
         format!("{:?} {:?} {:?}", self.nodes, self.blocks, self.solids)

@@ -1,10 +1,8 @@
 //! The wide tree: nodes of up to eight children, leaves of triangle blocks or solids.
 
-use super::split::half_area;
-use super::{Binary, BinaryNode};
 use common::geometry::Geometry;
-use common::math::{Bounds, Vec3};
-use common::shape::triangle_block::{LANES, TriangleBlock};
+use common::math::Bounds;
+use common::shape::triangle_block::TriangleBlock;
 use common::simd::prefetch;
 
 /// Children of a node.
@@ -48,12 +46,28 @@ impl Child {
     /// No solids.
     pub const NOTHING: Self = Self(SOLIDS);
 
-    fn node(index: usize) -> Self {
+    /// A node.
+    pub fn node(index: usize) -> Self {
         Self(index as u32 & INDEX)
     }
 
-    fn run(tag: u32, first: usize, count: usize) -> Self {
-        Self(tag | (first as u32) << COUNT_BITS & INDEX | (count as u32))
+    /// A block with `len` triangles.
+    pub fn block(index: usize, len: usize) -> Self {
+        Self(BLOCK | (index as u32) << COUNT_BITS & INDEX | (len as u32))
+    }
+
+    /// `len` solids, at `first` of all.
+    pub fn solids(first: usize, len: usize) -> Self {
+        Self(SOLIDS | (first as u32) << COUNT_BITS & INDEX | (len as u32))
+    }
+
+    /// The same, where so many nodes and blocks come before those that were counted.
+    pub fn moved(self, nodes: usize, blocks: usize) -> Self {
+        match self.held() {
+            Held::Node(index) => Self::node(index + nodes),
+            Held::Block(index, len) => Self::block(index + blocks, len),
+            Held::Solids(..) => self,
+        }
     }
 
     /// What it holds.
@@ -83,24 +97,7 @@ pub struct Bvh<'g> {
 /// Nodes of a tree of some 16 MiB.
 const LARGE: usize = 16384;
 
-impl<'g> Bvh<'g> {
-    /// Builds the hierarchy; the same whatever the number of threads.
-    pub fn new(geometry: &'g Geometry) -> Self {
-        let triangle_boxes: Vec<Bounds> =
-            geometry.triangles().iter().map(|t| Bounds::of_points(*t)).collect();
-        let solid_boxes: Vec<Bounds> = geometry.solids().iter().map(|s| roomy(&s.bounds)).collect();
-        let bounds = triangle_boxes.iter().chain(&solid_boxes).fold(Bounds::EMPTY, |b, t| b.union(t));
-        let mut bvh =
-            Self { geometry, nodes: Vec::new(), blocks: Vec::new(), solids: Vec::new(), bounds, depth: 0 };
-        let trees: Vec<(Binary, u32)> = [(triangle_boxes, BLOCK), (solid_boxes, SOLIDS)]
-            .into_iter()
-            .filter(|(boxes, _)| !boxes.is_empty())
-            .map(|(boxes, tag)| (Binary::build(boxes, if tag == BLOCK { LANES } else { 2 }), tag))
-            .collect();
-        bvh.collapse_all(&trees);
-        bvh
-    }
-
+impl Bvh<'_> {
     /// Whether rays should ask the memory ahead. What fits a processor's caches arrives in time
     /// anyway.
     #[inline(always)]
@@ -133,92 +130,10 @@ impl<'g> Bvh<'g> {
     pub fn counts(&self) -> (usize, usize, usize) {
         (self.nodes.len(), self.blocks.len(), self.depth)
     }
-
-    /// The root holds the opened roots of both trees; below it each node is of one tree.
-    fn collapse_all(&mut self, trees: &[(Binary, u32)]) {
-        let mut waiting: Vec<(usize, Vec<Seed>, usize)> = Vec::new();
-        let roots: Vec<Seed> = (0..trees.len()).map(|t| (t, 0)).collect();
-        if roots.is_empty() {
-            return;
-        }
-        self.nodes.push(EMPTY_NODE);
-        waiting.push((0, roots, 1));
-        while let Some((place, seeds, depth)) = waiting.pop() {
-            self.depth = self.depth.max(depth);
-            let mut children = open(trees, seeds);
-            let mut node = EMPTY_NODE;
-            node.axis = put_in_order(trees, &mut children) as u32;
-            for (lane, &(tree, number)) in children.iter().enumerate() {
-                let (binary, tag) = &trees[tree];
-                let inner = &binary.nodes[number as usize];
-                node.set_box(lane, &inner.bounds);
-                node.child[lane] = if inner.count > 0 {
-                    self.leaf(binary, *tag, inner)
-                } else {
-                    self.nodes.push(EMPTY_NODE);
-                    let below = self.nodes.len() - 1;
-                    waiting.push((below, vec![(tree, inner.first), (tree, inner.second)], depth + 1));
-                    Child::node(below)
-                };
-            }
-            self.nodes[place] = node;
-        }
-    }
-
-    fn leaf(&mut self, binary: &Binary, tag: u32, node: &BinaryNode) -> Child {
-        let items = &binary.items[node.first as usize..(node.first + node.count) as usize];
-        if tag == SOLIDS {
-            let first = self.solids.len();
-            self.solids.extend(items.iter().map(|i| i.index));
-            return Child::run(SOLIDS, first, items.len());
-        }
-        let numbered = |i: u32| -> (u32, [Vec3; 3]) {
-            (self.geometry.triangle_numbers()[i as usize], self.geometry.triangles()[i as usize])
-        };
-        let mut indices: Vec<u32> = items.iter().map(|i| i.index).collect();
-        indices.sort_unstable();
-        self.blocks.push(TriangleBlock::pack(indices.into_iter().map(numbered)));
-        Child::run(BLOCK, self.blocks.len() - 1, items.len())
-    }
 }
 
-/// The box of a round body, widened by 2⁻²² of its reach: rays that pass the body by within the
-/// rounding of `f64` hit it, and must meet its box.
-fn roomy(bounds: &Bounds) -> Bounds {
-    let slack = Vec3::splat(bounds.min.abs().max(bounds.max.abs()).max_element() / (1 << 22) as f32);
-    Bounds { min: bounds.min - slack, max: bounds.max + slack }
-}
-
-/// A node of one of the binary trees: which tree, which node.
-type Seed = (usize, u32);
-
-/// Opens the largest inner node among the seeds until there are eight, or only leaves.
-fn open(trees: &[(Binary, u32)], mut seeds: Vec<Seed>) -> Vec<Seed> {
-    let node = |(tree, number): Seed| -> &BinaryNode { &trees[tree].0.nodes[number as usize] };
-    while seeds.len() < WIDTH {
-        let inner = (0..seeds.len()).filter(|&i| node(seeds[i]).count == 0);
-        let area = |i: usize| half_area(&node(seeds[i]).bounds);
-        let Some(largest) = inner.reduce(|a, b| if area(b) > area(a) { b } else { a }) else { break };
-        let (tree, opened) = (seeds[largest].0, node(seeds[largest]));
-        seeds[largest] = (tree, opened.first);
-        seeds.push((tree, opened.second));
-    }
-    seeds
-}
-
-/// Sorts nodes along the axis in which their centres differ most, and names it.
-fn put_in_order(trees: &[(Binary, u32)], seeds: &mut [Seed]) -> usize {
-    let center = |&(tree, number): &Seed| {
-        let bounds: &Bounds = &trees[tree].0.nodes[number as usize].bounds;
-        bounds.min + bounds.max
-    };
-    let spread = Bounds::of_points(seeds.iter().map(center)).size();
-    let axis = (0..3).fold(0, |best, axis| if spread[axis] > spread[best] { axis } else { best });
-    seeds.sort_by(|a, b| center(a)[axis].total_cmp(&center(b)[axis]));
-    axis
-}
-
-const EMPTY_NODE: WideNode = WideNode {
+/// No children.
+pub const EMPTY_NODE: WideNode = WideNode {
     side: [[[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]]; 3],
     child: [Child::NOTHING; WIDTH],
     axis: 0,
@@ -227,7 +142,7 @@ const EMPTY_NODE: WideNode = WideNode {
 impl WideNode {
     /// Puts a box into a lane, widened by the smallest step, so that a ray that runs in one of
     /// its sides is inside.
-    fn set_box(&mut self, lane: usize, bounds: &Bounds) {
+    pub fn set_box(&mut self, lane: usize, bounds: &Bounds) {
         for axis in 0..3 {
             self.side[axis][0][lane] = bounds.min[axis].next_down();
             self.side[axis][1][lane] = bounds.max[axis].next_up();

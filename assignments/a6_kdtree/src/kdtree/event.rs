@@ -42,6 +42,7 @@ impl Event {
     }
 
     /// The coordinate that a place stands for.
+    #[inline(always)]
     pub fn position(place: u32) -> f32 {
         f32::from_bits(if place >> 31 == 1 { place & !(1 << 31) } else { !place })
     }
@@ -92,52 +93,55 @@ pub fn push(events: &mut Events, bounds: &Bounds, solid: bool, index: usize) {
 pub struct Fate(u32);
 
 impl Fate {
-    /// Its old events are dropped.
-    pub const CLIPPED: Self = Self(3 << 30);
+    /// To child 0 or 1; 2: its old events are dropped.
+    #[inline]
+    pub fn new(side: usize, index: u32) -> Self {
+        Self((side as u32) << 30 | index)
+    }
 
-    /// To child 0 or 1.
-    pub fn child(side: usize, index: usize) -> Self {
-        Self((side as u32) << 30 | index as u32)
+    /// 0 or 1, or 2 if it is clipped.
+    #[inline]
+    pub fn side(self) -> usize {
+        (self.0 >> 30) as usize
     }
 }
 
-/// Hands the events of whole references down to the children, still sorted.
-pub fn hand_down(events: &[Event], fates: &[Fate]) -> [Vec<Event>; 2] {
-    let n = events.len();
-    let (mut left, mut right) = (vec![Event::default(); n], vec![Event::default(); n]);
-    let (mut lefts, mut rights) = (0, 0);
+/// Leaves the events of whole references that go to the upper child where they are, from `start`
+/// on, and appends those of the lower child to `lower`; both stay sorted.
+pub fn hand_down(events: &mut Vec<Event>, start: usize, fates: &[Fate], lower: &mut Vec<Event>) {
+    let list = &mut events[start..];
+    lower.clear();
+    lower.resize(list.len(), Event::default());
+    let (mut lowers, mut uppers) = (0, 0);
     // Written to both and counted for one: which side comes next cannot be predicted.
-    for event in events {
-        let fate = fates[event.index()].0;
-        let renumbered = event.renumbered(fate & INDEX as u32);
-        left[lefts] = renumbered;
-        right[rights] = renumbered;
-        lefts += usize::from(fate >> 30 == 0);
-        rights += usize::from(fate >> 30 == 1);
+    for i in 0..list.len() {
+        let fate = fates[list[i].index()];
+        let renumbered = list[i].renumbered(fate.0 & INDEX as u32);
+        lower[lowers] = renumbered;
+        list[uppers] = renumbered;
+        lowers += usize::from(fate.side() == 0);
+        uppers += usize::from(fate.side() == 1);
     }
-    left.truncate(lefts);
-    right.truncate(rights);
-    [left, right]
+    lower.truncate(lowers);
+    events.truncate(start + uppers);
 }
 
-/// Merges the few events of clipped boxes into the many old ones, both sorted.
-pub fn merge(events: &mut Vec<Event>, mut new: Vec<Event>) {
+/// Merges the few events of clipped boxes, `new`, into the many old ones from `start` on, which
+/// are sorted; leaves `new` empty.
+pub fn merge(events: &mut Vec<Event>, start: usize, new: &mut Vec<Event>) {
     new.sort_unstable();
-    let mut from = events.len();
-    events.resize(from + new.len(), Event::default());
-    for to in (0..events.len()).rev() {
-        match new.last() {
-            None => return,
-            Some(last) if from == 0 || events[from - 1] < *last => {
-                events[to] = *last;
-                new.pop();
-            }
-            Some(_) => {
-                from -= 1;
-                events[to] = events[from];
-            }
-        }
+    let (mut from, mut left) = (events.len() - start, new.len());
+    events.resize(events.len() + left, Event::default());
+    let list = &mut events[start..];
+    while left > 0 && from > 0 {
+        let (old, fresh) = (list[from - 1], new[left - 1]);
+        let later = old < fresh;
+        list[from + left - 1] = if later { fresh } else { old };
+        left -= usize::from(later);
+        from -= usize::from(!later);
     }
+    list[..left].copy_from_slice(&new[..left]);
+    new.clear();
 }
 
 #[cfg(test)]
@@ -161,12 +165,14 @@ mod tests {
     fn a6t1_handing_down_and_merging_keep_the_order() {
         let event = |x: usize, index: usize| Event::new(x as f32, Kind::Start, false, index);
         let events: Vec<Event> = (0..9).map(|x| event(x, x)).collect();
-        let fates: Vec<Fate> =
-            (0..9).map(|i| if i % 3 == 2 { Fate::CLIPPED } else { Fate::child(i % 3, i / 3) }).collect();
-        let [mut left, right] = hand_down(&events, &fates);
-        assert_eq!(left, [event(0, 0), event(3, 1), event(6, 2)]);
-        assert_eq!(right, [event(1, 0), event(4, 1), event(7, 2)]);
-        merge(&mut left, vec![event(8, 4), event(2, 3)]);
-        assert_eq!(left, [event(0, 0), event(2, 3), event(3, 1), event(6, 2), event(8, 4)]);
+        let fates: Vec<Fate> = (0..9).map(|i| Fate::new(i % 3, i as u32 / 3)).collect();
+        let (mut events, mut lower) = ([vec![event(9, 5)], events].concat(), Vec::new());
+        hand_down(&mut events, 1, &fates, &mut lower);
+        assert_eq!(lower, [event(0, 0), event(3, 1), event(6, 2)]);
+        assert_eq!(events, [event(9, 5), event(1, 0), event(4, 1), event(7, 2)]);
+        merge(&mut events, 1, &mut vec![event(8, 4), event(2, 3)]);
+        assert_eq!(events[1..], [event(1, 0), event(2, 3), event(4, 1), event(7, 2), event(8, 4)]);
+        merge(&mut events, 1, &mut vec![event(0, 5)]);
+        assert_eq!(events[..3], [event(9, 5), event(0, 5), event(1, 0)]);
     }
 }

@@ -43,17 +43,15 @@ pub fn solid_index(geometry: &Geometry, primitive: u32) -> Option<usize> {
 }
 
 impl Reference {
-    /// The one child that it belongs to; `None` if it reaches into both.
+    /// The one child, 0 or 1, that it belongs to; 2 if it reaches into both.
     #[inline]
-    pub fn side(&self, split: &Split) -> Option<usize> {
+    pub fn side(&self, split: &Split) -> usize {
         let (low, high) = (self.bounds.min[split.axis], self.bounds.max[split.axis]);
-        if low == high && low == split.at {
-            return Some(usize::from(!split.planar_left));
-        }
-        if high <= split.at {
-            return Some(0);
-        }
-        (low >= split.at).then_some(1)
+        let planar = low == high && low == split.at;
+        // Without a jump: the side cannot be predicted.
+        let (below, above) = (high <= split.at, low >= split.at);
+        let whole = if below { 0 } else { 2 - usize::from(above) };
+        if planar { usize::from(!split.planar_left) } else { whole }
     }
 
     /// The boxes of its parts in both children, `None` where it does not reach.

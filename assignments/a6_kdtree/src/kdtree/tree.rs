@@ -1,7 +1,9 @@
 //! The tree laid out for rays: nodes of eight bytes, leaves of triangle blocks and solids.
 
-use super::build::{self, Options, Tree};
+use super::build;
 use super::clip::halves;
+use super::plan::{Next, PlanNode, Reader};
+use super::rule::Options;
 use super::sah::{self, half_area, leaf_cost};
 use common::geometry::Geometry;
 use common::math::Bounds;
@@ -107,8 +109,10 @@ impl<'g> KdTree<'g> {
         };
         if let Some((built, bounds)) = build::build(geometry, &options) {
             tree.bounds = bounds;
+            tree.nodes.reserve_exact(built.nodes.len());
+            tree.blocks.reserve_exact(built.nodes.iter().map(PlanNode::most_blocks).sum());
             tree.nodes.push(Node { data: 0, word: LEAF });
-            tree.lay_out(&built, 0, &bounds, 0);
+            tree.lay_out(&mut built.reader(), 0, &bounds, 0);
             tree.summary.nodes = tree.nodes.len();
             tree.nodes.shrink_to_fit();
             tree.blocks.shrink_to_fit();
@@ -148,25 +152,25 @@ impl<'g> KdTree<'g> {
         self.summary
     }
 
-    /// Puts a subtree to place `place`; `inside` is its box.
-    fn lay_out(&mut self, tree: &Tree, place: usize, inside: &Bounds, depth: u32) {
+    /// Puts the next subtree of a plan to place `place`; `inside` is its box.
+    fn lay_out(&mut self, plan: &mut Reader, place: usize, inside: &Bounds, depth: u32) {
         // A box without surface is met as likely as not.
         let share = half_area(inside) / half_area(&self.bounds);
         let share = if share.is_finite() { share } else { 1.0 };
-        match tree {
-            Tree::Leaf(primitives) => {
+        match plan.next() {
+            Next::Leaf(primitives) => {
                 let node = self.leaf(primitives, share);
                 self.nodes[place] = node;
                 self.summary.depth = self.summary.depth.max(depth);
             }
-            Tree::Inner { axis, at, children } => {
+            Next::Inner(axis, at) => {
                 let child = self.nodes.len();
                 assert!(child < 1 << 30, "at most 2^30 nodes");
-                self.summary.cost += share * sah::STEP;
-                self.nodes[place] = Node { data: at.to_bits(), word: (child as u32) << 2 | *axis as u32 };
+                self.summary.cost += share * f64::from(sah::STEP);
+                self.nodes[place] = Node { data: at.to_bits(), word: (child as u32) << 2 | axis as u32 };
                 self.nodes.extend([Node { data: 0, word: LEAF }; 2]);
-                for (side, half) in halves(inside, *axis, *at).iter().enumerate() {
-                    self.lay_out(&children[side], child + side, half, depth + 1);
+                for (side, half) in halves(inside, axis, at).iter().enumerate() {
+                    self.lay_out(plan, child + side, half, depth + 1);
                 }
             }
         }

@@ -45,7 +45,7 @@ fn a6t5_expected_cost_is_that_of_the_formula() {
         let mut waiting = vec![(0, tree.root_box())];
         while let Some((place, bounds)) = waiting.pop() {
             let node = tree.nodes()[place];
-            let price = if node.is_leaf() { tree.held_by(node).div_ceil(8) as f64 } else { STEP };
+            let price = if node.is_leaf() { tree.held_by(node).div_ceil(8) as f64 } else { f64::from(STEP) };
             cost += price * area(&bounds) / area(&tree.root_box());
             if node.is_leaf() {
                 empty += usize::from(tree.held_by(node) == 0);

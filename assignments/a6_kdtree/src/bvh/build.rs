@@ -1,0 +1,209 @@
+//! Growing the wide tree from the root down.
+//!
+//! A node's largest set is cut in two until there are eight: what collapsing a binary tree gives
+//! (Wald, Benthin & Boulos 2008), without the binary tree.
+
+use super::set::{Desk, Set};
+use super::split::{Item, Lanes};
+use super::wide::{Bvh, Child, EMPTY_NODE, WIDTH, WideNode};
+use common::geometry::Geometry;
+use common::math::{Bounds, Vec3};
+use common::shape::triangle_block::{LANES, TriangleBlock};
+use rayon::prelude::*;
+
+/// Nodes over fewer items are built by one thread.
+const WORTH_A_THREAD: usize = 8192;
+
+/// log₂ of the most triangles and solids in a leaf.
+const BLOCK_SHIFT: u32 = LANES.trailing_zeros();
+const SOLIDS_SHIFT: u32 = 1;
+
+impl<'g> Bvh<'g> {
+    /// Builds the hierarchy; the same whatever the number of threads.
+    ///
+    /// # Panics
+    /// If there are 2²⁶ finite primitives or more.
+    pub fn new(geometry: &'g Geometry) -> Self {
+        let mut items = items(geometry);
+        assert!(items.len() < 1 << 26, "at most 2^26 primitives");
+        let solids = geometry.solids().len();
+        let mut group = Group::EMPTY;
+        let mut bounds = Bounds::EMPTY;
+        for (first, end, shift) in [(solids, items.len(), BLOCK_SHIFT), (0, solids, SOLIDS_SHIFT)] {
+            if first < end {
+                let set = Set::all(&items[first..end], first, shift);
+                bounds = bounds.union(&bounds_of(&set.bounds));
+                group.push(set);
+            }
+        }
+        let mut order = vec![0; items.len()];
+        let mut part = Part::default();
+        if group.len > 0 {
+            let mut spare = items.clone();
+            let mut desk = Desk { items: [&mut items, &mut spare], order: &mut order, first: 0 };
+            part.grow(group, &mut desk, 1);
+        }
+        let pack =
+            |&(first, len): &(u32, u32)| block(geometry, &order[first as usize..(first + len) as usize]);
+        let blocks = part.leaves.par_iter().with_min_len(256).map(pack).collect();
+        order.truncate(solids);
+        let solids = order;
+        Self { geometry, nodes: part.nodes, blocks, solids, bounds, depth: part.depth }
+    }
+}
+
+/// All finite primitives, solids first; each kind numbered by itself.
+fn items(geometry: &Geometry) -> Vec<Item> {
+    let (triangles, solids) = (geometry.triangles(), geometry.solids());
+    let item = |place: usize| match place.checked_sub(solids.len()) {
+        None => Item::new(&roomy(&solids[place].bounds), place as u32),
+        Some(i) => {
+            let [a, b, c] = triangles[i];
+            Item::new(&Bounds { min: a.min(b).min(c), max: a.max(b).max(c) }, i as u32)
+        }
+    };
+    let mut items = Vec::new();
+    let places = (0..solids.len() + triangles.len()).into_par_iter();
+    places.with_min_len(WORTH_A_THREAD).map(item).collect_into_vec(&mut items);
+    items
+}
+
+/// The box of a round body, widened by 2⁻²² of its reach: rays that pass the body by within the
+/// rounding of `f64` hit it, and must meet its box.
+fn roomy(bounds: &Bounds) -> Bounds {
+    let slack = Vec3::splat(bounds.min.abs().max(bounds.max.abs()).max_element() / (1 << 22) as f32);
+    Bounds { min: bounds.min - slack, max: bounds.max + slack }
+}
+
+fn bounds_of(lanes: &Lanes) -> Bounds {
+    let [x, y, z, _, to_x, to_y, to_z, _] = *lanes;
+    Bounds { min: -Vec3::new(x, y, z), max: Vec3::new(to_x, to_y, to_z) }
+}
+
+fn block(geometry: &Geometry, triangles: &[u32]) -> TriangleBlock {
+    let (numbers, vertices) = (geometry.triangle_numbers(), geometry.triangles());
+    TriangleBlock::pack(triangles.iter().map(|i| (numbers[*i as usize], vertices[*i as usize])))
+}
+
+/// The children of a node.
+struct Group {
+    sets: [Set; WIDTH],
+    len: usize,
+}
+
+impl Group {
+    const EMPTY: Self = Self { sets: [Set::EMPTY; WIDTH], len: 0 };
+
+    fn push(&mut self, set: Set) {
+        self.sets[self.len] = set;
+        self.len += 1;
+    }
+
+    fn of(set: Set) -> Self {
+        let mut group = Self::EMPTY;
+        group.push(set);
+        group
+    }
+
+    /// The sets that are no leaves, with their places.
+    fn inner(&self) -> impl Iterator<Item = (usize, &Set)> {
+        self.sets().iter().enumerate().filter(|(_, set)| !set.is_leaf())
+    }
+
+    fn sets(&self) -> &[Set] {
+        &self.sets[..self.len]
+    }
+
+    /// Cuts the largest set until there are eight, or only leaves.
+    fn open(&mut self, desk: &mut Desk) {
+        while self.len < WIDTH {
+            let inner = (0..self.len).filter(|i| !self.sets[*i].is_leaf());
+            let larger = |a: usize, b: usize| if self.sets[b].area > self.sets[a].area { b } else { a };
+            let Some(largest) = inner.reduce(larger) else { break };
+            let [left, right] = self.sets[largest].cut(desk);
+            self.sets[largest] = left;
+            self.push(right);
+        }
+    }
+
+    /// Sorts the sets along the axis in which their centres differ most, and names it.
+    fn put_in_order(&mut self) -> usize {
+        let center = |set: &Set| [0, 1, 2].map(|axis| set.bounds[4 + axis] - set.bounds[axis]);
+        let spread = Bounds::of_points(self.sets().iter().map(|s| Vec3::from_array(center(s)))).size();
+        let axis = (0..3).fold(0, |best, axis| if spread[axis] > spread[best] { axis } else { best });
+        self.sets[..self.len].sort_by(|a, b| center(a)[axis].total_cmp(&center(b)[axis]));
+        axis
+    }
+}
+
+/// A part of the tree: its numbers of nodes and leaves count from its own first.
+#[derive(Default)]
+struct Part {
+    nodes: Vec<WideNode>,
+    /// Runs of triangles that make a block.
+    leaves: Vec<(u32, u32)>,
+    depth: usize,
+}
+
+impl Part {
+    /// Adds a node over a group of sets, and what is below it.
+    fn grow(&mut self, mut group: Group, desk: &mut Desk, depth: usize) {
+        self.depth = self.depth.max(depth);
+        group.open(desk);
+        let mut node = WideNode { axis: group.put_in_order() as u32, ..EMPTY_NODE };
+        for (lane, set) in group.sets().iter().enumerate() {
+            node.set_box(lane, &bounds_of(&set.bounds));
+            if set.is_leaf() {
+                set.settle(desk);
+                node.child[lane] = self.leaf(set);
+            }
+        }
+        let place = self.nodes.len();
+        self.nodes.push(node);
+        if group.sets().iter().map(|set| set.len as usize).sum::<usize>() >= WORTH_A_THREAD {
+            self.grow_together(place, &group, desk, depth);
+            return;
+        }
+        for (lane, set) in group.inner() {
+            self.nodes[place].child[lane] = Child::node(self.nodes.len());
+            self.grow(Group::of(*set), desk, depth + 1);
+        }
+    }
+
+    /// Adds what is below a node, each child by a thread of its own if there is one.
+    fn grow_together(&mut self, place: usize, group: &Group, desk: &mut Desk, depth: usize) {
+        let mut inner: Vec<(usize, Set)> = group.inner().map(|(lane, set)| (lane, *set)).collect();
+        inner.sort_by_key(|(_, set)| set.first);
+        let desks = desk.share(inner.iter().map(|(_, set)| set));
+        let mut parts: Vec<(usize, Part)> = Vec::new();
+        let grown = |((lane, set), mut desk): ((usize, Set), Desk)| {
+            let mut part = Self::default();
+            part.grow(Group::of(set), &mut desk, depth + 1);
+            (lane, part)
+        };
+        inner.into_par_iter().zip(desks).map(grown).collect_into_vec(&mut parts);
+        parts.sort_by_key(|(lane, _)| *lane);
+        for (lane, part) in parts {
+            self.nodes[place].child[lane] = Child::node(self.nodes.len());
+            self.append(part);
+        }
+    }
+
+    fn append(&mut self, mut part: Self) {
+        let (nodes, leaves) = (self.nodes.len(), self.leaves.len());
+        for child in part.nodes.iter_mut().flat_map(|node| &mut node.child) {
+            *child = child.moved(nodes, leaves);
+        }
+        self.nodes.append(&mut part.nodes);
+        self.leaves.append(&mut part.leaves);
+        self.depth = self.depth.max(part.depth);
+    }
+
+    fn leaf(&mut self, set: &Set) -> Child {
+        if set.shift == SOLIDS_SHIFT {
+            return Child::solids(set.first as usize, set.len as usize);
+        }
+        self.leaves.push((set.first, set.len));
+        Child::block(self.leaves.len() - 1, set.len as usize)
+    }
+}
