@@ -17,6 +17,27 @@ const LIST_TESTS: usize = 200_000_000;
 /// Cells of the grid for each triangle.
 const CELLS_PER_TRIANGLE: f64 = 5.0;
 
+/// Rays that are asked together.
+const TOGETHER: usize = 256;
+
+/// The hierarchy asked one ray at a time, as a renderer's later rays do.
+struct Alone<'w>(Bvh<'w>);
+
+impl Contender for Alone<'_> {
+    fn nearest(&self, ray: &Ray, reach: f32) -> Answer {
+        let hit = self.0.nearest(ray, Interval::up_to(reach), &mut Counters::default());
+        hit.map_or(Answer::MISS, |hit| Answer { t: hit.t, primitive: hit.primitive })
+    }
+
+    fn any(&self, ray: &Ray, reach: f32) -> bool {
+        self.0.any(ray, Interval::up_to(reach), &mut Counters::default())
+    }
+
+    fn bytes(&self) -> Option<usize> {
+        Some(self.0.bytes())
+    }
+}
+
 /// Anything behind the house's seam. Its one mesh is numbered like its triangles.
 struct Ours<A> {
     accel: A,
@@ -32,6 +53,21 @@ impl<A: Accel> Contender for Ours<A> {
 
     fn any(&self, ray: &Ray, reach: f32) -> bool {
         self.accel.any(ray, Interval::up_to(reach), &mut Counters::default())
+    }
+
+    fn nearest_batch(&self, rays: &[Ray], reach: f32, answers: &mut [Answer]) {
+        let mut hits = [None; TOGETHER];
+        for (rays, answers) in rays.chunks(TOGETHER).zip(answers.chunks_mut(TOGETHER)) {
+            let hits = &mut hits[..rays.len()];
+            self.accel.nearest_many(rays, Interval::up_to(reach), hits, &mut Counters::default());
+            for (hit, answer) in hits.iter().zip(answers) {
+                *answer = hit.map_or(Answer::MISS, |hit| Answer { t: hit.t, primitive: hit.primitive });
+            }
+        }
+    }
+
+    fn any_batch(&self, rays: &[Ray], reach: f32, answers: &mut [bool]) {
+        self.accel.any_many(rays, Interval::up_to(reach), answers, &mut Counters::default());
     }
 
     fn bytes(&self) -> Option<usize> {
@@ -69,6 +105,7 @@ pub fn all() -> Vec<Structure> {
                 Ok(boxed(bvh, bytes))
             },
         },
+        Structure { name: "bvh-alone", build: |world| Ok(Box::new(Alone(Bvh::new(&world.geometry)))) },
     ]
 }
 
