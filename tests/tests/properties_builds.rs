@@ -7,7 +7,7 @@ use common::geometry::Geometry;
 use common::math::{Interval, Vec3};
 use common::mesh::Mesh;
 use common::ray::Ray;
-use tests::property::{agree, build, geometry_of, grid_of, run};
+use tests::property::{Named, agree, build, geometry_of, run, structures};
 
 /// Worlds that break structures: nothing, one thing, everything in one place, no volume.
 fn odd_worlds() -> Vec<(&'static str, Geometry)> {
@@ -44,12 +44,11 @@ fn p12_structures_are_built_and_valid_for_odd_worlds() {
     for (name, geometry) in odd_worlds() {
         let list = List::new(&geometry);
         list.validate().unwrap_or_else(|e| panic!("{name}: {e}"));
-        let grids = [[1, 1, 1], [5, 6, 7]].map(|n| grid_of(&geometry, n, Fit::Exact));
-        grids.iter().for_each(|g| g.validate().unwrap_or_else(|e| panic!("{name}: {e}")));
+        let others = structures(&geometry, &[[1, 1, 1], [5, 6, 7]].map(|n| (n, Fit::Exact)));
         run(&format!("p12 {name}"), 1201, 1_000, |draw| {
             let origin = (draw.cube() * 5.0).as_vec3();
             let ray = Ray::new(origin, (draw.cube() * 2.0).as_vec3() - origin);
-            agree(&list, &grids, &ray, Interval::ALL)
+            agree(&list, &others, &ray, Interval::ALL)
         });
     }
 }
@@ -58,10 +57,11 @@ fn p12_structures_are_built_and_valid_for_odd_worlds() {
 #[test]
 fn p12_ties_go_to_the_lowest_number() {
     let geometry = geometry_of(&[[Vec3::ZERO, Vec3::X, Vec3::Y]; 2000]);
-    let grid = grid_of(&geometry, [3, 3, 1], Fit::Exact);
     let ray = Ray::new(Vec3::new(0.2, 0.2, 1.0), -Vec3::Z);
-    let hit = grid.nearest(&ray, Interval::FORWARD, &mut Counters::default()).expect("a hit");
-    assert_eq!((hit.primitive, hit.t), (0, 1.0));
+    for Named { name, accel } in structures(&geometry, &[([3, 3, 1], Fit::Exact)]) {
+        let hit = accel.nearest(&ray, Interval::FORWARD, &mut Counters::default()).expect("a hit");
+        assert_eq!((hit.primitive, hit.t), (0, 1.0), "{name}");
+    }
 }
 
 #[test]
@@ -75,9 +75,9 @@ fn p12_a_hundred_thousand_nested_groups_and_transforms_are_prepared_and_hit() {
     {
         let geometry = build(&wrap(open), Mesh::default());
         let list = List::new(&geometry);
-        let grid = grid_of(&geometry, [5, 5, 5], Fit::Exact);
+        let others = structures(&geometry, &[([5, 5, 5], Fit::Exact)]);
         let ray = Ray::new(Vec3::Z * 5.0, -Vec3::Z);
-        let hit = agree(&list, &[grid], &ray, Interval::FORWARD).unwrap_or_else(|e| panic!("{e}"));
+        let hit = agree(&list, &others, &ray, Interval::FORWARD).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(hit, 1.0, "{open}");
         let t = list.nearest(&ray, Interval::FORWARD, &mut Counters::default()).map(|h| h.t);
         let expected = if open.contains("Translate") { 3.9 } else { 4.0 };

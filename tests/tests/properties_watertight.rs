@@ -2,6 +2,8 @@
 //! through any structure, with any instructions.
 
 use a5_grid::{Cells, Fit, Grid};
+use a6_kdtree::bvh::Bvh;
+use a6_kdtree::kdtree::{KdTree, Options};
 use common::accel::{Accel, Job, List};
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit};
@@ -28,6 +30,16 @@ fn must_hit(accel: &dyn Accel, ray: &Ray) -> Result<f64, String> {
     if hit.is_some() { Ok(0.0) } else { Err(explain(accel.geometry().triangles(), ray)) }
 }
 
+/// Rays from inside that are asked together hit in front.
+fn must_hit_together(accel: &dyn Accel, rays: &[Ray]) -> Result<f64, String> {
+    let mut hits = vec![None; rays.len()];
+    accel.nearest_many(rays, Interval::FORWARD, &mut hits, &mut Counters::default());
+    match hits.iter().position(Option::is_none) {
+        None => Ok(0.0),
+        Some(lost) => Err(explain(accel.geometry().triangles(), &rays[lost])),
+    }
+}
+
 /// A ray that was lost, and the triangles that exact arithmetic says it passes.
 fn explain(triangles: &[[Vec3; 3]], ray: &Ray) -> String {
     let passed = triangles.iter().filter(|t| exact_triangle(ray, t).is_some_and(|h| h.t > 0.0));
@@ -51,6 +63,31 @@ fn p01_ten_million_rays_from_inside_all_hit_through_the_grid() {
         let grid = grid(&geometry);
         run(&format!("p01 grid, {name}"), 101, share, |draw| {
             must_hit(&grid, &from_inside(draw, &place.triangles, &place.inside))
+        });
+    }
+}
+
+/// Half through the kd-tree, half through the hierarchy; there eight at a time, which
+/// `must_hit_together` asks for.
+#[test]
+fn p01_ten_million_rays_from_inside_all_hit_through_the_trees() {
+    let meshes = closed_meshes();
+    let share = 5_000_000 / meshes.len() as u64;
+    for (name, mesh) in &meshes {
+        let place = placed(mesh, 1.0, DVec3::ZERO, (40_000 / mesh.triangles.len()).clamp(4, 64));
+        let geometry = geometry_of(&place.triangles);
+        let (tree, bvh) = (KdTree::new(&geometry, Options::default()), Bvh::new(&geometry));
+        run(&format!("p01 kd-tree, {name}"), 103, share, |draw| {
+            must_hit(&tree, &from_inside(draw, &place.triangles, &place.inside))
+        });
+        run(&format!("p01 hierarchy, {name}"), 104, share / 8, |draw| {
+            let first = from_inside(draw, &place.triangles, &place.inside);
+            let bundled = draw.chance(0.5);
+            let rays = [(); 8].map(|()| match bundled {
+                true => Ray::new(first.origin, first.direction + (draw.cube() * 0.02).as_vec3()),
+                false => from_inside(draw, &place.triangles, &place.inside),
+            });
+            must_hit_together(&bvh, &rays)
         });
     }
 }
@@ -163,7 +200,7 @@ fn placements() -> Vec<(f64, DVec3)> {
 }
 
 #[test]
-fn p02_placed_meshes_have_no_leak_through_list_and_grid() {
+fn p02_placed_meshes_have_no_leak_through_any_structure() {
     let meshes = [
         ("lumpy sphere", lumpy_sphere(2, 4)),
         ("lattice sphere", lattice_sphere(2, 2)),
@@ -177,10 +214,14 @@ fn p02_placed_meshes_have_no_leak_through_list_and_grid() {
             assert!(place.inside.len() >= 4, "{name} × {scale:e} + {offset}: no point inside");
             let geometry = geometry_of(&place.triangles);
             let (list, grid) = (List::new(&geometry), grid(&geometry));
+            let (tree, bvh) = (KdTree::new(&geometry, Options::default()), Bvh::new(&geometry));
             let label = format!("{name} × {scale:.1e} + {offset:.0}");
             run(&format!("p02 hits, {label}"), 201, 6_000, |draw| {
                 let ray = from_inside(draw, &place.triangles, &place.inside);
-                must_hit(&list, &ray).and(must_hit(&grid, &ray))
+                must_hit(&list, &ray)
+                    .and(must_hit(&grid, &ray))
+                    .and(must_hit(&tree, &ray))
+                    .and(must_hit(&bvh, &ray))
             });
             odd_passages(&format!("p02 parity, {label}"), &place, 3_000);
         }
@@ -226,9 +267,13 @@ fn p02_no_leak_under_nested_transforms() {
         let inside = inside_points(geometry.triangles(), 32, 12);
         assert!(inside.len() >= 8, "{name}: no point inside");
         let (list, grid) = (List::new(&geometry), grid(&geometry));
+        let (tree, bvh) = (KdTree::new(&geometry, Options::default()), Bvh::new(&geometry));
         run(&format!("p02 nested transforms, {name}"), 203, 60_000, |draw| {
             let ray = from_inside(draw, geometry.triangles(), &inside);
-            must_hit(&list, &ray).and(must_hit(&grid, &ray))
+            must_hit(&list, &ray)
+                .and(must_hit(&grid, &ray))
+                .and(must_hit(&tree, &ray))
+                .and(must_hit(&bvh, &ray))
         });
     }
 }

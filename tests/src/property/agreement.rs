@@ -2,6 +2,8 @@
 
 use super::ray_bits;
 use a5_grid::{Cells, Fit, Grid};
+use a6_kdtree::bvh::Bvh;
+use a6_kdtree::kdtree::{KdTree, Options, Rule};
 use common::accel::{Accel, List};
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit};
@@ -17,6 +19,35 @@ pub fn grid_of(geometry: &Geometry, count: [u32; 3], fit: Fit) -> Grid<'_> {
     Grid::new(geometry, Cells::new(count, &bounds), fit).expect("a grid of moderate size")
 }
 
+/// A structure and what to call it.
+pub struct Named<'g> {
+    /// For messages.
+    pub name: String,
+    /// The structure.
+    pub accel: Box<dyn Accel + 'g>,
+}
+
+/// Grids of these resolutions, the kd-trees of all rules and the hierarchy, all found valid.
+///
+/// # Panics
+/// If one is not, or a grid would be too large.
+pub fn structures<'g>(geometry: &'g Geometry, grids: &[([u32; 3], Fit)]) -> Vec<Named<'g>> {
+    let mut all: Vec<Named> = Vec::new();
+    for &(count, fit) in grids {
+        let accel = Box::new(grid_of(geometry, count, fit));
+        all.push(Named { name: format!("grid {count:?} {fit:?}"), accel });
+    }
+    for rule in Rule::ALL {
+        let accel = Box::new(KdTree::new(geometry, Options { rule, ..Options::default() }));
+        all.push(Named { name: format!("kd-tree {rule:?}"), accel });
+    }
+    all.push(Named { name: "hierarchy".to_owned(), accel: Box::new(Bvh::new(geometry)) });
+    for Named { name, accel } in &all {
+        accel.validate().unwrap_or_else(|why| panic!("{name}: {why}"));
+    }
+    all
+}
+
 /// A hit to the last bit.
 type Bits = (u32, u32, u32, u32);
 
@@ -25,11 +56,11 @@ fn bits(hit: &Hit) -> Bits {
     (hit.primitive, hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits())
 }
 
-/// List and grids agree on the nearest hit to the bit, and on whether there is any; 1 if so.
+/// List and structures agree on the nearest hit to the bit, and on whether there is any; 1 if so.
 ///
 /// # Errors
 /// Who found what, and the ray.
-pub fn agree(list: &List, grids: &[Grid], ray: &Ray, interval: Interval) -> Result<f64, String> {
+pub fn agree(list: &List, structures: &[Named], ray: &Ray, interval: Interval) -> Result<f64, String> {
     let mut counters = Counters::default();
     let truth = list.nearest(ray, interval, &mut counters);
     let fault = |what: &str, got: String| {
@@ -38,14 +69,13 @@ pub fn agree(list: &List, grids: &[Grid], ray: &Ray, interval: Interval) -> Resu
     if list.any(ray, interval, &mut counters) != truth.is_some() {
         return fault("any of the list", "the opposite".to_owned());
     }
-    for grid in grids {
-        let name = format!("grid {:?}", grid.cells().count);
-        let hit = grid.nearest(ray, interval, &mut counters);
+    for Named { name, accel } in structures {
+        let hit = accel.nearest(ray, interval, &mut counters);
         if hit.as_ref().map(bits) != truth.as_ref().map(bits) {
-            return fault(&name, format!("{hit:?}"));
+            return fault(name, format!("{hit:?}"));
         }
-        if grid.any(ray, interval, &mut counters) != truth.is_some() {
-            return fault(&name, "any is the opposite".to_owned());
+        if accel.any(ray, interval, &mut counters) != truth.is_some() {
+            return fault(name, "any is the opposite".to_owned());
         }
     }
     Ok(f64::from(u8::from(truth.is_some())))

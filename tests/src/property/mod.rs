@@ -18,7 +18,7 @@ mod triangle_oracle;
 mod winding;
 mod worlds;
 
-pub use agreement::{agree, grid_of};
+pub use agreement::{Named, agree, grid_of, structures};
 pub use dyadic::Dyadic;
 pub use march_oracle::cells_crossed;
 pub use meshes::{closed_meshes, convex_sphere, fan, file_mesh, lattice_sphere, lumpy_sphere};
