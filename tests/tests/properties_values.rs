@@ -3,8 +3,9 @@
 
 use common::math::{Bounds, DVec3, Interval, Vec3};
 use common::ray::Ray;
+use common::shape::filter::Filter;
 use common::shape::sphere::{self, Sphere};
-use common::shape::triangle_block::{Filter, TriangleBlock};
+use common::shape::triangle_block::TriangleBlock;
 use common::shape::{ExactRay, plane, triangle};
 use common::simd::dispatch;
 use std::sync::atomic::{AtomicU64, Ordering};

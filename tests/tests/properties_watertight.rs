@@ -9,7 +9,8 @@ use common::counters::Counters;
 use common::geometry::{Geometry, Hit};
 use common::math::{Bounds, DVec3, Interval, Vec3};
 use common::ray::Ray;
-use common::shape::triangle_block::{Filter, LANES, TriangleBlock};
+use common::shape::filter::Filter;
+use common::shape::triangle_block::{LANES, TriangleBlock};
 use common::shape::{ExactRay, triangle};
 use common::simd::{Level, Simd, dispatch};
 use tests::property::{

@@ -8,7 +8,8 @@ use common::geometry::{Geometry, Hit};
 use common::math::{Bounds, Interval, Vec3};
 use common::ray::Ray;
 use common::shape::ExactRay;
-use common::shape::triangle_block::{Filter, LANES, TriangleBlock};
+use common::shape::filter::Filter;
+use common::shape::triangle_block::{LANES, TriangleBlock};
 use common::simd::{self, Simd, dispatch};
 
 /// Most references to primitives that all cells together may hold.

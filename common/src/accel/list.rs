@@ -6,7 +6,8 @@ use crate::geometry::{Geometry, Hit, hit_triangle};
 use crate::math::{Bounds, Interval};
 use crate::ray::Ray;
 use crate::shape::ExactRay;
-use crate::shape::triangle_block::{Filter, LANES, TriangleBlock};
+use crate::shape::filter::Filter;
+use crate::shape::triangle_block::{LANES, TriangleBlock};
 use crate::simd::{self, Simd, dispatch};
 
 /// All primitives in a row. The right structure for a handful, and the oracle for the others.

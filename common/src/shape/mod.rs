@@ -3,7 +3,7 @@
 //! | shape | where | decided by |
 //! |---|---|---|
 //! | [`triangle`] | corners in world space, `f32` | sign-exact edge functions and a tie rule |
-//! | [`triangle_block`] | eight triangles at a time | discards what is surely missed, nothing else |
+//! | [`triangle_block`], [`filter`] | eight triangles at a time | knows what is surely missed and surely hit, decides nothing else |
 //! | [`sphere`] | centre and radius in world space, `f64` | the distance of closest approach |
 //! | [`ellipsoid`] | a sphere under a general affine map | the sphere test in its own space |
 //! | [`plane`] | unit normal and offset in world space, `f64` | one division |
@@ -12,6 +12,7 @@
 //! functions of ray and shape, so every structure that asks them gets the same bits.
 
 pub mod ellipsoid;
+pub mod filter;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;

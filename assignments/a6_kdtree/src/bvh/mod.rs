@@ -11,6 +11,7 @@ mod frustum;
 mod packet;
 mod set;
 mod single;
+mod slabs;
 mod split;
 mod stack;
 mod traverse;

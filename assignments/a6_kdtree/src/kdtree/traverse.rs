@@ -13,7 +13,7 @@ use common::geometry::{Geometry, Hit};
 use common::math::Interval;
 use common::ray::Ray;
 use common::shape::ExactRay;
-use common::shape::triangle_block::Filter;
+use common::shape::filter::Filter;
 use common::simd::{self, Simd, dispatch};
 
 /// One ray on its way through the tree.
