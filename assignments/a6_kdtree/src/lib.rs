@@ -9,6 +9,7 @@
 mod args;
 pub mod bvh;
 mod figures;
+pub mod instances;
 pub mod kdtree;
 mod lazy;
 pub mod picture;

@@ -8,13 +8,13 @@
 mod binary;
 mod bundle;
 mod frustum;
-mod packet;
-mod single;
+pub(crate) mod packet;
+pub(crate) mod single;
 mod split;
-mod stack;
+pub(crate) mod stack;
 mod traverse;
 mod validate;
-mod wide;
+pub(crate) mod wide;
 
 pub use binary::{Binary, BinaryNode};
 pub use wide::Bvh;

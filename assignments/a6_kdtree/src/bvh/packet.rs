@@ -118,6 +118,18 @@ impl Packet<1> {
     }
 }
 
+impl Packet<1> {
+    /// Makes every box `room` wider on all sides.
+    #[inline(always)]
+    pub fn widen(&mut self, room: f32) {
+        for axis in 0..3 {
+            let error = room * self.inverse[axis][0].abs();
+            self.near_offset[axis][0] += error;
+            self.far_offset[axis][0] -= error;
+        }
+    }
+}
+
 /// Eight slabs and the rays that meet them.
 struct Slabs<S: Simd> {
     inverse: f32x8<S>,

@@ -71,12 +71,12 @@ impl Child {
 
 /// The hierarchy over a scene's finite primitives; planes are tested beside it.
 pub struct Bvh<'g> {
-    pub(super) geometry: &'g Geometry,
-    pub(super) nodes: Vec<WideNode>,
-    pub(super) blocks: Vec<TriangleBlock>,
-    pub(super) solids: Vec<u32>,
+    pub(crate) geometry: &'g Geometry,
+    pub(crate) nodes: Vec<WideNode>,
+    pub(crate) blocks: Vec<TriangleBlock>,
+    pub(crate) solids: Vec<u32>,
     /// Around everything in it.
-    pub(super) bounds: Bounds,
+    pub(crate) bounds: Bounds,
     pub(super) depth: usize,
 }
 
@@ -86,18 +86,30 @@ const LARGE: usize = 16384;
 impl<'g> Bvh<'g> {
     /// Builds the hierarchy; the same whatever the number of threads.
     pub fn new(geometry: &'g Geometry) -> Self {
-        let triangle_boxes: Vec<Bounds> =
-            geometry.triangles().iter().map(|t| Bounds::of_points(*t)).collect();
-        let solid_boxes: Vec<Bounds> = geometry.solids().iter().map(|s| roomy(&s.bounds)).collect();
-        let bounds = triangle_boxes.iter().chain(&solid_boxes).fold(Bounds::EMPTY, |b, t| b.union(t));
+        let triangles = geometry.triangles().iter().map(|t| Bounds::of_points(*t)).collect();
+        let solids = geometry.solids().iter().map(|s| roomy(&s.bounds)).collect();
+        let numbered = |i: u32| (geometry.triangle_numbers()[i as usize], geometry.triangles()[i as usize]);
+        Self::over(geometry, triangles, (solids, 2), numbered)
+    }
+
+    /// Builds over the boxes of triangles, of which `numbered` knows number and corners, and over
+    /// boxes of something else, called solids here, at most so many to a leaf unless they cannot
+    /// be told apart.
+    pub(crate) fn over(
+        geometry: &'g Geometry,
+        triangles: Vec<Bounds>,
+        (solids, most): (Vec<Bounds>, usize),
+        numbered: impl Fn(u32) -> (u32, [Vec3; 3]),
+    ) -> Self {
+        let bounds = triangles.iter().chain(&solids).fold(Bounds::EMPTY, |b, t| b.union(t));
         let mut bvh =
             Self { geometry, nodes: Vec::new(), blocks: Vec::new(), solids: Vec::new(), bounds, depth: 0 };
-        let trees: Vec<(Binary, u32)> = [(triangle_boxes, BLOCK), (solid_boxes, SOLIDS)]
+        let trees: Vec<(Binary, u32)> = [(triangles, BLOCK, LANES), (solids, SOLIDS, most)]
             .into_iter()
-            .filter(|(boxes, _)| !boxes.is_empty())
-            .map(|(boxes, tag)| (Binary::build(boxes, if tag == BLOCK { LANES } else { 2 }), tag))
+            .filter(|(boxes, ..)| !boxes.is_empty())
+            .map(|(boxes, tag, most)| (Binary::build(boxes, most), tag))
             .collect();
-        bvh.collapse_all(&trees);
+        bvh.collapse_all(&trees, &numbered);
         bvh
     }
 
@@ -135,7 +147,7 @@ impl<'g> Bvh<'g> {
     }
 
     /// The root holds the opened roots of both trees; below it each node is of one tree.
-    fn collapse_all(&mut self, trees: &[(Binary, u32)]) {
+    fn collapse_all(&mut self, trees: &[(Binary, u32)], numbered: &impl Fn(u32) -> (u32, [Vec3; 3])) {
         let mut waiting: Vec<(usize, Vec<Seed>, usize)> = Vec::new();
         let roots: Vec<Seed> = (0..trees.len()).map(|t| (t, 0)).collect();
         if roots.is_empty() {
@@ -153,7 +165,7 @@ impl<'g> Bvh<'g> {
                 let inner = &binary.nodes[number as usize];
                 node.set_box(lane, &inner.bounds);
                 node.child[lane] = if inner.count > 0 {
-                    self.leaf(binary, *tag, inner)
+                    self.leaf(binary, *tag, inner, numbered)
                 } else {
                     self.nodes.push(EMPTY_NODE);
                     let below = self.nodes.len() - 1;
@@ -165,16 +177,19 @@ impl<'g> Bvh<'g> {
         }
     }
 
-    fn leaf(&mut self, binary: &Binary, tag: u32, node: &BinaryNode) -> Child {
+    fn leaf(
+        &mut self,
+        binary: &Binary,
+        tag: u32,
+        node: &BinaryNode,
+        numbered: &impl Fn(u32) -> (u32, [Vec3; 3]),
+    ) -> Child {
         let items = &binary.items[node.first as usize..(node.first + node.count) as usize];
         if tag == SOLIDS {
             let first = self.solids.len();
             self.solids.extend(items.iter().map(|i| i.index));
             return Child::run(SOLIDS, first, items.len());
         }
-        let numbered = |i: u32| -> (u32, [Vec3; 3]) {
-            (self.geometry.triangle_numbers()[i as usize], self.geometry.triangles()[i as usize])
-        };
         let mut indices: Vec<u32> = items.iter().map(|i| i.index).collect();
         indices.sort_unstable();
         self.blocks.push(TriangleBlock::pack(indices.into_iter().map(numbered)));
@@ -184,7 +199,7 @@ impl<'g> Bvh<'g> {
 
 /// The box of a round body, widened by 2⁻²² of its reach: rays that pass the body by within the
 /// rounding of `f64` hit it, and must meet its box.
-fn roomy(bounds: &Bounds) -> Bounds {
+pub(crate) fn roomy(bounds: &Bounds) -> Bounds {
     let slack = Vec3::splat(bounds.min.abs().max(bounds.max.abs()).max_element() / (1 << 22) as f32);
     Bounds { min: bounds.min - slack, max: bounds.max + slack }
 }
