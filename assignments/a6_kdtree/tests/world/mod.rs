@@ -10,16 +10,19 @@ use common::ray::Ray;
 use common::scene::{MeshSource, load, parse_str};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Knows the meshes `lumpy N`: balls with hills, 12 N² triangles.
-struct Generated;
+/// Knows the meshes `lumpy N`: balls with hills, 12 N² triangles; makes each once.
+#[derive(Default)]
+struct Generated(HashMap<u32, Arc<Mesh>>);
 
 impl MeshSource for Generated {
     fn mesh(&mut self, name: &str) -> Result<Arc<Mesh>, MeshError> {
         let side = name.strip_prefix("lumpy_").and_then(|n| n.parse().ok());
-        side.map(|n| Arc::new(lumpy(n))).ok_or_else(|| MeshError::new(format!("no mesh {name}")))
+        let n: u32 = side.ok_or_else(|| MeshError::new(format!("no mesh {name}")))?;
+        Ok(Arc::clone(self.0.entry(n).or_insert_with(|| Arc::new(lumpy(n)))))
     }
 }
 
@@ -57,7 +60,7 @@ pub fn geometry(objects: &str, count: usize) -> Geometry {
          Materials {{ numMaterials 1 Material {{ }} }}
          Group {{ numObjects {count} MaterialIndex 0 {objects} }}"
     );
-    let scene = parse_str("test", &text, &mut Generated).unwrap_or_else(|e| panic!("{e}"));
+    let scene = parse_str("test", &text, &mut Generated::default()).unwrap_or_else(|e| panic!("{e}"));
     Geometry::build(&scene).unwrap()
 }
 
