@@ -4,7 +4,7 @@
 //!     cargo run --release -p a6_kdtree --example instances [ROUNDS]
 
 use a6_kdtree::bvh::Bvh;
-use a6_kdtree::instances::Instances;
+use a6_kdtree::instances::{Instances, Options};
 use common::accel::Accel;
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit};
@@ -23,7 +23,7 @@ fn scene(mesh: &str, side: usize) -> Geometry {
         .map(|i| {
             let (x, y, z) = (2 * (i % side), 2 * (i / side % side), 2 * (i / side / side));
             format!(
-                "Transform {{ Translate {x} {y} {z} YRotate {} XRotate {} TriangleMesh {{ obj_file {mesh} }} }}\n",
+                "Transform {{ Translate {x} {y} {z} UniformScale 6 YRotate {} XRotate {} TriangleMesh {{ obj_file {mesh} }} }}\n",
                 37 * i,
                 11 * i
             )
@@ -99,14 +99,17 @@ fn compare(name: &str, geometry: &Geometry, rounds: usize) {
         two.summary().bytes,
         two.summary(),
     );
+    // No copy is fine enough to share: two levels, all in the world.
+    let apart = Instances::with(geometry, 1, Options { coarsest: 0.0, ..Options::default() });
     for coherent in [true, false] {
         let rays = rays(geometry, coherent);
-        let mut rates = [const { Vec::new() }; 4];
+        let mut rates = [const { Vec::new() }; 5];
         for _ in 0..rounds {
             let mut c = Counters::default();
             let (flat_many, a) = rate(&rays, |r, h| flat.nearest_many(r, Interval::FORWARD, h, &mut c));
             let (two_many, b) = rate(&rays, |r, h| two.nearest_many(r, Interval::FORWARD, h, &mut c));
             assert!(a == b, "both must see the same");
+            let apart_many = rate(&rays, |r, h| apart.nearest_many(r, Interval::FORWARD, h, &mut c)).0;
             let mut any = vec![false; 256];
             let mut any_of = |tree: &dyn Accel| {
                 rate(&rays, |r, _| {
@@ -114,14 +117,16 @@ fn compare(name: &str, geometry: &Geometry, rounds: usize) {
                 })
                 .0
             };
-            for (list, value) in rates.iter_mut().zip([flat_many, two_many, any_of(&flat), any_of(&two)]) {
+            for (list, value) in
+                rates.iter_mut().zip([flat_many, two_many, any_of(&flat), any_of(&two), apart_many])
+            {
                 list.push(value);
             }
         }
-        let [flat_many, two_many, flat_any, two_any] = rates.map(median);
+        let [flat_many, two_many, flat_any, two_any, apart_many] = rates.map(median);
         let kind = if coherent { "coherent" } else { "random" };
         println!(
-            "  {kind} Mrays/s: nearest flat {flat_many:.3}, two levels {two_many:.3} ({:.2}); any {flat_any:.3}, {two_any:.3} ({:.2})",
+            "  {kind} Mrays/s: nearest flat {flat_many:.3}, two levels {two_many:.3} ({:.2}), not shared {apart_many:.3}; any {flat_any:.3}, {two_any:.3} ({:.2})",
             two_many / flat_many,
             two_any / flat_any
         );

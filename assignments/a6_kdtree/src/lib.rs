@@ -18,7 +18,7 @@ mod tracer;
 
 pub use args::{AccelArgs, Choice, Program};
 pub use lazy::Lazy;
-pub use tracer::{LazyBvh, LazyTree, Tracer};
+pub use tracer::{LazyBvh, LazyInstances, LazyTree, Tracer};
 
 use a1_ray_casting::{Report, Studio};
 use common::cli::AppError;
