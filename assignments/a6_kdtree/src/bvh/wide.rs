@@ -92,9 +92,8 @@ impl<'g> Bvh<'g> {
         Self::over(geometry, triangles, (solids, 2), numbered)
     }
 
-    /// Builds over the boxes of triangles, of which `numbered` knows number and corners, and over
-    /// boxes of something else, called solids here, at most so many to a leaf unless they cannot
-    /// be told apart.
+    /// Builds over boxes of triangles, of which `numbered` knows number and corners, and of
+    /// something else, called solids here, at most so many to a leaf unless they coincide.
     pub(crate) fn over(
         geometry: &'g Geometry,
         triangles: Vec<Bounds>,

@@ -2,8 +2,8 @@
 //!
 //! [`crate::bvh::Bvh`] holds every triangle of every copy of a mesh. Here each use of a mesh is
 //! one box of a small tree at the top, and what is in the box gets its own tree when the first ray
-//! meets it ([`part`]). Copies of one mesh share one tree, in the mesh's own space: a ray is taken
-//! there with bounds of all that is rounded on the way ([`object_ray`]), and the tree only says
+//! meets it (`part`). Copies of one mesh share one tree, in the mesh's own space: a ray is taken
+//! there with bounds of all that is rounded on the way (`object_ray`), and the tree only says
 //! which triangles it may hit. Those are decided in the world, corner for corner as the list does
 //! it, so the answer is the list's to the last bit.
 
@@ -89,7 +89,8 @@ impl<'g> Instances<'g> {
         Self { geometry, threads, top, parts: sorter.parts, trees: sorter.trees }
     }
 
-    /// Whether two levels should do better than one flat tree, which see [`WORTH_TWO_LEVELS`].
+    /// Whether two levels should do better than one flat tree: two or more uses of meshes that are
+    /// large by the default [`Options`], with 100,000 triangles together.
     pub fn pay(geometry: &Geometry) -> bool {
         let least = Options::default().least;
         let large = |n: &usize| *n >= least;
