@@ -1,5 +1,5 @@
 //! One mesh of 40,000 triangles used 64 times, and others like it: one tree for all copies against
-//! one flat tree. Prints processor time of the build, bytes, and rays per second of both.
+//! one flat tree. Prints how long one thread builds, bytes, and rays per second of both (medians).
 //!
 //!     cargo run --release -p a6_kdtree --example instances [ROUNDS]
 
