@@ -1,5 +1,6 @@
 //! The flags of assignment 6, on top of those of assignments 1 to 5.
 
+use crate::instances::Instances;
 use crate::kdtree::{MAX_DEPTH, Options, Rule};
 use crate::picture::Heat;
 use crate::tracer::{Tracer, finite};
@@ -79,6 +80,8 @@ pub enum Choice {
     Kdtree,
     /// The bounding volume hierarchy
     Bvh,
+    /// The hierarchy in two levels: copies of a mesh share a tree, and what no ray reaches has none
+    Instances,
 }
 
 impl AccelArgs {
@@ -188,12 +191,14 @@ impl AccelArgs {
             _ if self.takes_tree() => Choice::Kdtree,
             (Choice::Auto, Some(_)) => Choice::Grid,
             (Choice::Auto, None) if finite(geometry) < WORTH_A_TREE => Choice::List,
+            (Choice::Auto, None) if Instances::pay(geometry) => Choice::Instances,
             (Choice::Auto, None) => Choice::Bvh,
             (choice, _) => choice,
         };
         Ok(match choice {
             Choice::Kdtree => Tracer::with_kd_tree(geometry, self.threads(), self.options()),
             Choice::Bvh => Tracer::with_bvh(geometry, self.threads()),
+            Choice::Instances => Tracer::with_instances(geometry, self.threads()),
             Choice::Grid => Tracer::Lower(self.grid.structure(geometry, cells)?),
             _ => Tracer::Lower(Structure::List(List::new(geometry))),
         })

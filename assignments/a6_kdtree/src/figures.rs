@@ -1,6 +1,7 @@
 //! What `-stats` says of a structure, line by line.
 
 use crate::bvh::Bvh;
+use crate::instances::Instances;
 use crate::kdtree::{KdTree, Options, STEP};
 use crate::tracer::finite;
 use a5_grid::Grid;
@@ -89,6 +90,19 @@ pub fn of_bvh(bvh: &Bvh) -> Vec<String> {
         line("nodes from root to leaf, at most", depth),
         line("expected cost of a ray (SAH)", format!("{:.2}; a node, a block, a solid cost 1", bvh.cost())),
         size(bvh.bytes(), geometry),
+    ]
+}
+
+/// The hierarchy in two levels.
+pub fn of_instances(levels: &Instances) -> Vec<String> {
+    let s = levels.summary();
+    vec![
+        line("structure", "hierarchy in two levels, eight boxes to a node"),
+        line("trees built", format!("{} of {}", s.built, s.trees)),
+        line("uses of large meshes", s.uses),
+        line("uses that share a tree", format!("{}, {} trees", s.sharing, s.shared)),
+        line("uses that no ray reached", s.unreached),
+        size(s.bytes, levels.geometry()),
     ]
 }
 

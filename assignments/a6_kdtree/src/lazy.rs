@@ -52,7 +52,7 @@ impl<'g, A: Accel + Send, F: Fn(&'g Geometry) -> A + Sync> Lazy<'g, A, F> {
 /// Does the work in a pool of its own, called from a thread of no pool. In the pool that renders,
 /// a part of a build that waits for another would pass its time with the next tile, whose rays
 /// wait for the build: for ever.
-fn apart<T: Send>(threads: usize, work: impl Fn() -> T + Sync) -> T {
+pub(crate) fn apart<T: Send>(threads: usize, work: impl Fn() -> T + Sync) -> T {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.max(1)).build();
     let pool = pool.unwrap_or_else(|why| panic!("no thread to build with: {why}"));
     let work = || pool.install(&work);

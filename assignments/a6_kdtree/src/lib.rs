@@ -9,6 +9,7 @@
 mod args;
 pub mod bvh;
 mod figures;
+pub mod instances;
 pub mod kdtree;
 mod lazy;
 pub mod picture;
@@ -17,7 +18,7 @@ mod tracer;
 
 pub use args::{AccelArgs, Choice, Program};
 pub use lazy::Lazy;
-pub use tracer::{LazyBvh, LazyTree, Tracer};
+pub use tracer::{LazyBvh, LazyInstances, LazyTree, Tracer};
 
 use a1_ray_casting::{Report, Studio};
 use common::cli::AppError;

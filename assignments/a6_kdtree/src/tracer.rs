@@ -1,6 +1,7 @@
 //! What the program traces through, and what `-stats` says of it.
 
 use crate::bvh::Bvh;
+use crate::instances::Instances;
 use crate::kdtree::{KdTree, Options};
 use crate::{Lazy, figures};
 use a5_grid::Structure;
@@ -28,6 +29,8 @@ type Build<'g, A> = Box<dyn Fn(&'g Geometry) -> A + Send + Sync + 'g>;
 pub type LazyTree<'g> = Lazy<'g, KdTree<'g>, Build<'g, KdTree<'g>>>;
 /// The same of the hierarchy.
 pub type LazyBvh<'g> = Lazy<'g, Bvh<'g>, Build<'g, Bvh<'g>>>;
+/// The same of the hierarchy in two levels, whose lower trees wait for rays of their own.
+pub type LazyInstances<'g> = Lazy<'g, Instances<'g>, Build<'g, Instances<'g>>>;
 
 /// What the rays are traced through.
 pub enum Tracer<'g> {
@@ -37,6 +40,8 @@ pub enum Tracer<'g> {
     KdTree(Box<LazyTree<'g>>, Options),
     /// The hierarchy.
     Bvh(Box<LazyBvh<'g>>),
+    /// The hierarchy in two levels.
+    Instances(Box<LazyInstances<'g>>),
 }
 
 impl<'g> Tracer<'g> {
@@ -52,12 +57,19 @@ impl<'g> Tracer<'g> {
         Self::Bvh(Box::new(Lazy::new(geometry, builders(geometry, threads), build)))
     }
 
+    /// The hierarchy in two levels, whose trees are built by that many threads if they are large.
+    pub fn with_instances(geometry: &'g Geometry, threads: usize) -> Self {
+        let build: Build<'g, Instances<'g>> = Box::new(move |geometry| Instances::new(geometry, threads));
+        Self::Instances(Box::new(Lazy::new(geometry, 1, build)))
+    }
+
     /// The structure behind the common seam.
     pub fn as_accel(&self) -> &dyn Accel {
         match self {
             Self::Lower(lower) => lower.as_accel(),
             Self::KdTree(tree, _) => &**tree,
             Self::Bvh(bvh) => &**bvh,
+            Self::Instances(levels) => &**levels,
         }
     }
 
@@ -83,6 +95,7 @@ impl<'g> Tracer<'g> {
             Self::Lower(_) => None,
             Self::KdTree(tree, _) => tree.built().map(|(_, time)| time),
             Self::Bvh(bvh) => bvh.built().map(|(_, time)| time),
+            Self::Instances(levels) => levels.built().map(|(levels, time)| time + levels.summary().time),
         }
     }
 
@@ -99,6 +112,10 @@ impl<'g> Tracer<'g> {
             Self::Bvh(bvh) => match bvh.built() {
                 Some((bvh, _)) => figures::of_bvh(bvh),
                 None => figures::not_built("hierarchy"),
+            },
+            Self::Instances(levels) => match levels.built() {
+                Some((levels, _)) => figures::of_instances(levels),
+                None => figures::not_built("hierarchy in two levels"),
             },
         };
         lines.extend(figures::per_ray(counters));

@@ -2,7 +2,7 @@
 
 use super::smooth::Smooth;
 use super::uv::{UvMap, pictured};
-use super::{Geometry, Run, RunKind, Sheet, Solid, SolidShape};
+use super::{Geometry, PlacedMesh, Run, RunKind, Sheet, Solid, SolidShape};
 use crate::math::affine::AffineKind;
 use crate::math::{Affine, Bounds, DMat4, DVec3, Vec3};
 use crate::mesh::Mesh;
@@ -96,7 +96,8 @@ impl Geometry {
         };
         let start = start.ok_or_else(|| error("this shape lies beyond the range of single precision"))?;
         let (smooth, uv) = (shared.smooth(shape, &to_world), shared.uv_map(shape, material, &to_world));
-        self.runs.push(Run { first, start: start as u32, kind, material, smooth, uv });
+        let placed = shared.placed(shape, &to_world, start, first);
+        self.runs.push(Run { first, start: start as u32, kind, material, smooth, uv, placed });
         Ok(())
     }
 
@@ -148,6 +149,19 @@ impl Shared<'_> {
         Some(Box::new(Smooth { mesh, normals, to_world: *to_world, order: winding(to_world) }))
     }
 
+    /// What a copy of a mesh is a copy of; its triangles start at `start` and at number `first`.
+    fn placed(
+        &self,
+        shape: &ShapeSpec,
+        to_world: &Affine,
+        start: usize,
+        first: u32,
+    ) -> Option<Box<PlacedMesh>> {
+        let &ShapeSpec::Mesh { mesh, .. } = shape else { return None };
+        let mesh = Arc::clone(&self.scene.meshes[mesh as usize]);
+        Some(Box::new(PlacedMesh { mesh, to_world: *to_world, start, first }))
+    }
+
     /// Where pictures go on a shape, if there are any on its material.
     fn uv_map(&self, shape: &ShapeSpec, material: u32, to_world: &Affine) -> Option<Box<UvMap>> {
         let order = winding(to_world);
@@ -179,7 +193,7 @@ fn place(node: &Node, placements: &[Placement]) -> Placement {
 
 /// A mirroring map turns triangles inside out; swapping two corners turns them back, so that
 /// the world normal is M⁻ᵀ times the normal that the file meant.
-fn winding(to_world: &Affine) -> [usize; 3] {
+pub(super) fn winding(to_world: &Affine) -> [usize; 3] {
     if to_world.linear.determinant() < 0.0 { [0, 2, 1] } else { [0, 1, 2] }
 }
 

@@ -7,6 +7,7 @@
 //! map stay what they are; only a sphere under a general map keeps its matrix.
 
 mod build;
+mod placed;
 mod smooth;
 mod surface;
 #[cfg(test)]
@@ -14,6 +15,7 @@ mod tests;
 mod uv;
 
 pub use build::GeometryError;
+pub use placed::PlacedMesh;
 pub use smooth::facing;
 pub use surface::Surface;
 
@@ -94,6 +96,8 @@ pub(crate) struct Run {
     pub smooth: Option<Box<Smooth>>,
     /// Where pictures go on it, if its material has any.
     pub uv: Option<Box<UvMap>>,
+    /// The mesh that it is a copy of, if it is one.
+    pub placed: Option<Box<PlacedMesh>>,
 }
 
 /// The arrays that primitives are kept in.

@@ -14,9 +14,8 @@ use rayon::prelude::*;
 /// Nodes over fewer items are built by one thread.
 const WORTH_A_THREAD: usize = 8192;
 
-/// log₂ of the most triangles and solids in a leaf.
+/// log₂ of the most triangles in a leaf; of solids there are fewer.
 const BLOCK_SHIFT: u32 = LANES.trailing_zeros();
-const SOLIDS_SHIFT: u32 = 1;
 
 impl<'g> Bvh<'g> {
     /// Builds the hierarchy; the same whatever the number of threads.
@@ -24,12 +23,36 @@ impl<'g> Bvh<'g> {
     /// # Panics
     /// If there are 2²⁶ finite primitives or more.
     pub fn new(geometry: &'g Geometry) -> Self {
-        let mut items = items(geometry);
+        let (numbers, vertices) = (geometry.triangle_numbers(), geometry.triangles());
+        let numbered = |i: u32| (numbers[i as usize], vertices[i as usize]);
+        Self::grow(geometry, items(geometry), (geometry.solids().len(), 2), numbered)
+    }
+
+    /// Builds over boxes of triangles, of which `numbered` knows number and corners, and of
+    /// something else, called solids here, at most one or two to a leaf unless they coincide.
+    pub(crate) fn over(
+        geometry: &'g Geometry,
+        triangles: Vec<Bounds>,
+        (solids, most): (Vec<Bounds>, usize),
+        numbered: impl Fn(u32) -> (u32, [Vec3; 3]) + Sync,
+    ) -> Self {
+        let numbers = (0..solids.len() as u32).chain(0..triangles.len() as u32);
+        let boxes = solids.iter().chain(&triangles);
+        let items = boxes.zip(numbers).map(|(bounds, number)| Item::new(bounds, number)).collect();
+        Self::grow(geometry, items, (solids.len(), most), numbered)
+    }
+
+    /// Of the items so many are solids, which come first.
+    fn grow(
+        geometry: &'g Geometry,
+        mut items: Vec<Item>,
+        (solids, most): (usize, usize),
+        numbered: impl Fn(u32) -> (u32, [Vec3; 3]) + Sync,
+    ) -> Self {
         assert!(items.len() < 1 << 26, "at most 2^26 primitives");
-        let solids = geometry.solids().len();
         let mut group = Group::EMPTY;
         let mut bounds = Bounds::EMPTY;
-        for (first, end, shift) in [(solids, items.len(), BLOCK_SHIFT), (0, solids, SOLIDS_SHIFT)] {
+        for (first, end, shift) in [(solids, items.len(), BLOCK_SHIFT), (0, solids, most.ilog2())] {
             if first < end {
                 let set = Set::all(&items[first..end], first, shift);
                 bounds = bounds.union(&bounds_of(&set.bounds));
@@ -43,8 +66,10 @@ impl<'g> Bvh<'g> {
             let mut desk = Desk { items: [&mut items, &mut spare], order: &mut order, first: 0 };
             part.grow(group, &mut desk, 1);
         }
-        let pack =
-            |&(first, len): &(u32, u32)| block(geometry, &order[first as usize..(first + len) as usize]);
+        let pack = |&(first, len): &(u32, u32)| {
+            let triangles = &order[first as usize..(first + len) as usize];
+            TriangleBlock::pack(triangles.iter().map(|i| numbered(*i)))
+        };
         let blocks = part.leaves.par_iter().with_min_len(256).map(pack).collect();
         order.truncate(solids);
         let solids = order;
@@ -70,7 +95,7 @@ fn items(geometry: &Geometry) -> Vec<Item> {
 
 /// The box of a round body, widened by 2⁻²² of its reach: rays that pass the body by within the
 /// rounding of `f64` hit it, and must meet its box.
-fn roomy(bounds: &Bounds) -> Bounds {
+pub(crate) fn roomy(bounds: &Bounds) -> Bounds {
     let slack = Vec3::splat(bounds.min.abs().max(bounds.max.abs()).max_element() / (1 << 22) as f32);
     Bounds { min: bounds.min - slack, max: bounds.max + slack }
 }
@@ -78,11 +103,6 @@ fn roomy(bounds: &Bounds) -> Bounds {
 fn bounds_of(lanes: &Lanes) -> Bounds {
     let [x, y, z, _, to_x, to_y, to_z, _] = *lanes;
     Bounds { min: -Vec3::new(x, y, z), max: Vec3::new(to_x, to_y, to_z) }
-}
-
-fn block(geometry: &Geometry, triangles: &[u32]) -> TriangleBlock {
-    let (numbers, vertices) = (geometry.triangle_numbers(), geometry.triangles());
-    TriangleBlock::pack(triangles.iter().map(|i| (numbers[*i as usize], vertices[*i as usize])))
 }
 
 /// The children of a node.
@@ -200,7 +220,7 @@ impl Part {
     }
 
     fn leaf(&mut self, set: &Set) -> Child {
-        if set.shift == SOLIDS_SHIFT {
+        if set.shift != BLOCK_SHIFT {
             return Child::solids(set.first as usize, set.len as usize);
         }
         self.leaves.push((set.first, set.len));

@@ -5,17 +5,17 @@
 //! boxes at once (Dammertz, Hanika & Keller 2008; Wald, Benthin & Boulos 2008). Leaves are blocks
 //! of eight triangles, as the list has them.
 
-mod build;
+pub(crate) mod build;
 mod bundle;
 mod frustum;
-mod packet;
+pub(crate) mod packet;
 mod set;
-mod single;
+pub(crate) mod single;
 mod slabs;
 mod split;
-mod stack;
+pub(crate) mod stack;
 mod traverse;
 mod validate;
-mod wide;
+pub(crate) mod wide;
 
 pub use wide::Bvh;

@@ -107,6 +107,18 @@ impl Packet<1> {
     }
 }
 
+impl Packet<1> {
+    /// Makes every box `room` wider on all sides.
+    #[inline(always)]
+    pub fn widen(&mut self, room: f32) {
+        for axis in 0..3 {
+            let error = room * self.inverse[axis][0].abs();
+            self.near_offset[axis][0] += error;
+            self.far_offset[axis][0] -= error;
+        }
+    }
+}
+
 impl<const N: usize> Packet<N> {
     const EMPTY: Self = Self {
         origin: [[0.0; N]; 3],

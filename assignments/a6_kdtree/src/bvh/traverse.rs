@@ -15,8 +15,9 @@ use common::shape::ExactRay;
 use common::simd::{self, Simd, dispatch};
 
 impl Bvh<'_> {
+    /// The better of `best` and the first hit of what is in the tree, without planes.
     #[inline(always)]
-    fn nearest_alone<S: Simd>(
+    pub(crate) fn nearest_alone<S: Simd>(
         &self,
         simd: S,
         ray: &Ray,
@@ -28,8 +29,15 @@ impl Bvh<'_> {
         self.nearest_one(simd, &Query { packet, lane: 0, ray, interval }, &mut Stack::new(), best, c)
     }
 
+    /// Whether anything in the tree is hit, without planes.
     #[inline(always)]
-    fn any_alone<S: Simd>(&self, simd: S, ray: &Ray, interval: Interval, c: &mut Counters) -> bool {
+    pub(crate) fn any_alone<S: Simd>(
+        &self,
+        simd: S,
+        ray: &Ray,
+        interval: Interval,
+        c: &mut Counters,
+    ) -> bool {
         let packet = &Packet::alone(simd, ray, &self.bounds);
         self.any_one(simd, &Query { packet, lane: 0, ray, interval }, &mut Stack::new(), c)
     }

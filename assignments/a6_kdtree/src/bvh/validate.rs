@@ -2,13 +2,31 @@
 
 use super::wide::{Bvh, Held, WIDTH, WideNode};
 use common::math::{Bounds, Vec3};
+use std::ops::Range;
 
 impl Bvh<'_> {
     /// Every primitive is held once, every box holds what is below it, every node is reached
     /// once.
     pub(super) fn check(&self) -> Result<(), String> {
-        let mut triangles = vec![0u32; self.geometry.triangles().len()];
-        let mut solids = vec![0u32; self.geometry.solids().len()];
+        let (numbers, triangles) = (self.geometry.triangle_numbers(), self.geometry.triangles());
+        let solids: Vec<Bounds> = self.geometry.solids().iter().map(|s| s.bounds).collect();
+        let place = |number: u32| numbers.partition_point(|n| *n < number);
+        self.check_over(triangles.len(), &solids, |number| {
+            let place = place(number);
+            (place, triangles[place])
+        })
+    }
+
+    /// The same of a tree over so many triangles, of which `placed` knows, by number, the place
+    /// among them and the corners, and over these boxes of solids.
+    pub(crate) fn check_over(
+        &self,
+        triangles: usize,
+        boxes: &[Bounds],
+        placed: impl Fn(u32) -> (usize, [Vec3; 3]),
+    ) -> Result<(), String> {
+        let mut triangles = vec![0u32; triangles];
+        let mut solids = vec![0u32; boxes.len()];
         let mut reached = vec![0u32; self.nodes.len()];
         let mut waiting: Vec<(usize, Bounds)> = Vec::new();
         if !self.nodes.is_empty() {
@@ -22,8 +40,12 @@ impl Bvh<'_> {
                 }
                 match self.nodes[index].child[lane].held() {
                     Held::Node(below) => waiting.push((below, inner)),
-                    Held::Block(index, len) => self.check_block(index, len, &inner, &mut triangles)?,
-                    Held::Solids(first, count) => self.check_solids(first, count, &inner, &mut solids)?,
+                    Held::Block(index, len) => {
+                        self.check_block(index, len, &inner, &placed, &mut triangles)?
+                    }
+                    Held::Solids(first, count) => {
+                        self.check_solids(first..first + count, &inner, boxes, &mut solids)?
+                    }
                 }
             }
         }
@@ -36,15 +58,21 @@ impl Bvh<'_> {
         }
     }
 
-    fn check_block(&self, index: usize, len: usize, outer: &Bounds, seen: &mut [u32]) -> Result<(), String> {
+    fn check_block(
+        &self,
+        index: usize,
+        len: usize,
+        outer: &Bounds,
+        placed: &impl Fn(u32) -> (usize, [Vec3; 3]),
+        seen: &mut [u32],
+    ) -> Result<(), String> {
         let block = &self.blocks[index];
         if block.len() != len {
             return Err(format!("block {index} holds {} triangles, not {len}", block.len()));
         }
         for lane in 0..len {
             let number = block.index[lane];
-            let place = self.geometry.triangle_numbers().partition_point(|n| *n < number);
-            let vertices = self.geometry.triangles()[place];
+            let (place, vertices) = placed(number);
             if block.vertices(lane) != vertices || !contains(outer, &Bounds::of_points(vertices)) {
                 return Err(format!("triangle {number} is not what, or not where, it should be"));
             }
@@ -55,13 +83,13 @@ impl Bvh<'_> {
 
     fn check_solids(
         &self,
-        first: usize,
-        count: usize,
+        range: Range<usize>,
         outer: &Bounds,
+        boxes: &[Bounds],
         seen: &mut [u32],
     ) -> Result<(), String> {
-        for &i in &self.solids[first..first + count] {
-            if !contains(outer, &self.geometry.solids()[i as usize].bounds) {
+        for &i in &self.solids[range] {
+            if !contains(outer, &boxes[i as usize]) {
                 return Err(format!("solid {i} reaches out of its box"));
             }
             seen[i as usize] += 1;

@@ -85,12 +85,12 @@ impl Child {
 
 /// The hierarchy over a scene's finite primitives; planes are tested beside it.
 pub struct Bvh<'g> {
-    pub(super) geometry: &'g Geometry,
-    pub(super) nodes: Vec<WideNode>,
-    pub(super) blocks: Vec<TriangleBlock>,
-    pub(super) solids: Vec<u32>,
+    pub(crate) geometry: &'g Geometry,
+    pub(crate) nodes: Vec<WideNode>,
+    pub(crate) blocks: Vec<TriangleBlock>,
+    pub(crate) solids: Vec<u32>,
     /// Around everything in it.
-    pub(super) bounds: Bounds,
+    pub(crate) bounds: Bounds,
     pub(super) depth: usize,
 }
 

@@ -96,3 +96,39 @@ fn a6t5_a_handful_needs_no_tree() {
     assert!(grid.contains("grid, 60 cells") && grid.contains("60 (3x4x5)"), "{grid}");
     assert!(stats("-accel bvh").contains("eight boxes to a node"));
 }
+
+/// Six copies of a mesh in a row, and one of another behind them all.
+#[test]
+fn a6t2_copies_are_described_and_change_no_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let meshes = file("meshes");
+    let mesh = |name: &str, x: usize, z: i32| {
+        let path = meshes.join(name);
+        format!(
+            "Transform {{ Translate {x} 0 {z} UniformScale 2 TriangleMesh {{ obj_file {} }} }} ",
+            path.display()
+        )
+    };
+    let copies: String = (0..3).map(|x| mesh("bunny_40k.obj", x, 0)).collect();
+    let hidden = mesh("bunny_5k.obj", 90, -50);
+    let scene = format!(
+        "OrthographicCamera {{ center 1 0.2 5 direction 0 0 -1 up 0 1 0 size 3 }}
+         Materials {{ numMaterials 1 PhongMaterial {{ diffuseColor 1 1 1 }} }}
+         Group {{ numObjects 4 MaterialIndex 0 {copies} {hidden} }}"
+    );
+    fs::write(folder.path().join("scene.txt"), scene).unwrap();
+    let render = |flags: &str, name: &str| {
+        let all = format!("-input @/scene.txt -size 60 60 -output @/{name} -stats {flags}");
+        (printed(folder.path(), &all), fs::read(folder.path().join(name)).unwrap())
+    };
+    let (stats, picture) = render("-accel instances", "two.tga");
+    assert!(stats.contains("hierarchy in two levels"), "{stats}");
+    assert!(stats.contains("1 of 2") && stats.contains("3, 1 trees"), "{stats}");
+    assert_eq!(number(&stats, "uses of large meshes"), 4.0);
+    assert_eq!(number(&stats, "uses that no ray reached"), 1.0);
+    assert!(number(&stats, "time: build") > 0.0);
+    assert!(picture == render("-kdtree sah", "kd.tga").1, "the same picture");
+    assert!(picture == render("-accel bvh", "bvh.tga").1);
+    // Two repeated copies are not worth it.
+    assert!(render("-accel auto", "auto.tga").0.contains("eight boxes to a node"));
+}

@@ -10,16 +10,20 @@ use common::ray::Ray;
 use common::scene::{MeshSource, load, parse_str};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use std::collections::HashMap;
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Knows the meshes `lumpy N`: balls with hills, 12 N² triangles.
-struct Generated;
+/// Knows the meshes `lumpy N`: balls with hills, 12 N² triangles; makes each once.
+#[derive(Default)]
+struct Generated(HashMap<u32, Arc<Mesh>>);
 
 impl MeshSource for Generated {
     fn mesh(&mut self, name: &str) -> Result<Arc<Mesh>, MeshError> {
         let side = name.strip_prefix("lumpy_").and_then(|n| n.parse().ok());
-        side.map(|n| Arc::new(lumpy(n))).ok_or_else(|| MeshError::new(format!("no mesh {name}")))
+        let n: u32 = side.ok_or_else(|| MeshError::new(format!("no mesh {name}")))?;
+        Ok(Arc::clone(self.0.entry(n).or_insert_with(|| Arc::new(lumpy(n)))))
     }
 }
 
@@ -57,7 +61,7 @@ pub fn geometry(objects: &str, count: usize) -> Geometry {
          Materials {{ numMaterials 1 Material {{ }} }}
          Group {{ numObjects {count} MaterialIndex 0 {objects} }}"
     );
-    let scene = parse_str("test", &text, &mut Generated).unwrap_or_else(|e| panic!("{e}"));
+    let scene = parse_str("test", &text, &mut Generated::default()).unwrap_or_else(|e| panic!("{e}"));
     Geometry::build(&scene).unwrap()
 }
 
@@ -72,13 +76,17 @@ pub fn scene(name: &str) -> Geometry {
     Geometry::build(&load(&file).unwrap_or_else(|e| panic!("{e}"))).unwrap()
 }
 
-/// All ray-tracing scenes of `scenes/` that hold something finite.
+/// All ray-tracing scenes of `scenes/` that hold something finite, none twice: the course shows
+/// its rabbit in many lights.
 pub fn scenes() -> impl Iterator<Item = Geometry> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     let mut files: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|f| f.unwrap().path()).collect();
     files.sort();
     let names = files.into_iter().map(|f| f.file_name().unwrap().to_string_lossy().into_owned());
-    names.filter(|n| n.starts_with("scene")).map(|n| scene(&n)).filter(|g| g.bounds().is_some())
+    let mut seen = HashSet::new();
+    let mut new = move |g: &Geometry| seen.insert(format!("{:?} {:?}", g.len(), g.bounds()));
+    let all = names.filter(|n| n.starts_with("scene")).map(|n| scene(&n));
+    all.filter(move |g| g.bounds().is_some() && new(g))
 }
 
 /// Between 0 and 1.
