@@ -107,13 +107,13 @@ fn a6t1_special_rays_in_an_axis_aligned_lattice() {
         tree.validate().unwrap();
         for d in 0..512 {
             let direction = Vec3::new(parts[d % 8], parts[d / 8 % 8], parts[d / 64]);
-            for o in (0..125).step_by(6) {
+            for o in (0..125).step_by(18) {
                 let origin = Vec3::new(places[o % 5], places[o / 5 % 5], places[o / 25]);
                 hits += agree_on(tree, &list, &Ray::new(origin, direction));
             }
         }
     }
-    assert!(hits > 10_000, "{hits}");
+    assert!(hits > 3_000, "{hits}");
     assert!(agree(&geometry, 1000) > 0);
 }
 
