@@ -216,7 +216,7 @@ impl Accel for Grid<'_> {
             return None;
         }
         let query = Query::new(self, ray, interval);
-        let best = self.geometry.nearest_sheet(&query.exact, interval, counters);
+        let best = self.geometry.nearest_sheet(ray, interval, counters);
         dispatch!(simd::level(), s => self.nearest_in(s, &query, best, counters))
     }
 
@@ -225,7 +225,7 @@ impl Accel for Grid<'_> {
             return false;
         }
         let query = Query::new(self, ray, interval);
-        if self.geometry.any_sheet(&query.exact, interval, counters) {
+        if self.geometry.any_sheet(ray, interval, counters) {
             return true;
         }
         dispatch!(simd::level(), s => self.any_in(s, &query, counters))

@@ -38,7 +38,7 @@ impl Accel for List<'_> {
             return None;
         }
         let exact = ExactRay::new(ray);
-        let sheet = self.geometry.nearest_sheet(&exact, interval, counters);
+        let sheet = self.geometry.nearest_sheet(ray, interval, counters);
         let mut best = self.geometry.nearest_solid(self.solids(), &exact, interval, sheet, counters);
         if !self.blocks.is_empty() {
             let filter = Filter::new(ray, &self.triangle_bounds);
@@ -54,7 +54,7 @@ impl Accel for List<'_> {
         }
         let exact = ExactRay::new(ray);
         if self.geometry.any_solid(self.solids(), &exact, interval, counters)
-            || self.geometry.any_sheet(&exact, interval, counters)
+            || self.geometry.any_sheet(ray, interval, counters)
         {
             return true;
         }

@@ -21,6 +21,7 @@ pub use surface::Surface;
 
 use crate::counters::Counters;
 use crate::math::{Bounds, Interval, Vec3};
+use crate::ray::Ray;
 use crate::shape::ellipsoid::Ellipsoid;
 use crate::shape::plane::{self, Plane};
 use crate::shape::sphere::{self, Sphere};
@@ -177,17 +178,28 @@ impl Geometry {
 
     /// The first hit of all planes and discs. Structures ask it before they ask their cells or
     /// nodes, since the answer can end the search early.
-    pub fn nearest_sheet(&self, ray: &ExactRay, interval: Interval, counters: &mut Counters) -> Option<Hit> {
+    #[inline]
+    pub fn nearest_sheet(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> Option<Hit> {
+        // Few scenes have any, and then the ray need not be widened.
+        if self.sheets.is_empty() {
+            return None;
+        }
         counters.intersections += self.sheets.len() as u64;
-        let hits = (0..self.sheets.len()).filter_map(|i| self.hit_sheet(i, ray, interval));
+        let exact = ExactRay::new(ray);
+        let hits = (0..self.sheets.len()).filter_map(|i| self.hit_sheet(i, &exact, interval));
         hits.reduce(|best, hit| if hit.precedes(Some(&best)) { hit } else { best })
     }
 
     /// Whether any plane or disc is hit.
-    pub fn any_sheet(&self, ray: &ExactRay, interval: Interval, counters: &mut Counters) -> bool {
+    #[inline]
+    pub fn any_sheet(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> bool {
+        if self.sheets.is_empty() {
+            return false;
+        }
+        let exact = ExactRay::new(ray);
         (0..self.sheets.len()).any(|i| {
             counters.intersections += 1;
-            self.hit_sheet(i, ray, interval).is_some()
+            self.hit_sheet(i, &exact, interval).is_some()
         })
     }
 

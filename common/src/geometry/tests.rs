@@ -50,7 +50,7 @@ fn surface(geometry: &Geometry, origin: Vec3, direction: Vec3) -> Surface {
     let numbered = geometry.triangles().iter().zip(geometry.triangle_numbers());
     let triangles = numbered.filter_map(|(t, &n)| hit_triangle(t, n, &exact, interval));
     let first = triangles.reduce(|best, hit| if hit.precedes(Some(&best)) { hit } else { best });
-    let first = first.or_else(|| geometry.nearest_sheet(&exact, interval, counters));
+    let first = first.or_else(|| geometry.nearest_sheet(&ray, interval, counters));
     let all = 0..geometry.solids().len() as u32;
     let hit = geometry.nearest_solid(all, &exact, interval, first, counters);
     geometry.surface(&ray, &hit.unwrap_or_else(|| panic!("{origin} {direction} hits nothing")))

@@ -11,7 +11,6 @@ use common::counters::Counters;
 use common::geometry::{Geometry, Hit};
 use common::math::Interval;
 use common::ray::Ray;
-use common::shape::ExactRay;
 use common::simd::{self, Simd, dispatch};
 
 impl Bvh<'_> {
@@ -122,10 +121,7 @@ impl Accel for Bvh<'_> {
         if !ray.is_usable() {
             return None;
         }
-        let best = match self.geometry.sheets() {
-            [] => None,
-            _ => self.geometry.nearest_sheet(&ExactRay::new(ray), interval, counters),
-        };
+        let best = self.geometry.nearest_sheet(ray, interval, counters);
         if self.nodes.is_empty() {
             return best;
         }
@@ -136,8 +132,7 @@ impl Accel for Bvh<'_> {
         if !ray.is_usable() {
             return false;
         }
-        let sheets = self.geometry.sheets();
-        if !sheets.is_empty() && self.geometry.any_sheet(&ExactRay::new(ray), interval, counters) {
+        if self.geometry.any_sheet(ray, interval, counters) {
             return true;
         }
         !self.nodes.is_empty() && dispatch!(simd::level(), s => self.any_alone(s, ray, interval, counters))
@@ -154,7 +149,7 @@ impl Accel for Bvh<'_> {
         hits.fill(None);
         if !self.geometry.sheets().is_empty() {
             for (ray, hit) in rays.iter().zip(hits.iter_mut()).filter(|(ray, _)| ray.is_usable()) {
-                *hit = self.geometry.nearest_sheet(&ExactRay::new(ray), interval, counters);
+                *hit = self.geometry.nearest_sheet(ray, interval, counters);
             }
         }
         if !self.nodes.is_empty() {
@@ -167,7 +162,7 @@ impl Accel for Bvh<'_> {
         hit.fill(false);
         if !self.geometry.sheets().is_empty() {
             for (ray, hit) in rays.iter().zip(hit.iter_mut()).filter(|(ray, _)| ray.is_usable()) {
-                *hit = self.geometry.any_sheet(&ExactRay::new(ray), interval, counters);
+                *hit = self.geometry.any_sheet(ray, interval, counters);
             }
         }
         if !self.nodes.is_empty() {

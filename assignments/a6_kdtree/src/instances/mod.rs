@@ -24,7 +24,6 @@ use common::geometry::{Geometry, Hit, PlacedMesh};
 use common::math::{Bounds, Interval};
 use common::mesh::Mesh;
 use common::ray::Ray;
-use common::shape::ExactRay;
 use part::{Part, Source, Tree};
 use placement::Placement;
 use std::collections::{HashMap, HashSet};
@@ -160,10 +159,7 @@ impl Accel for Instances<'_> {
         if !ray.is_usable() {
             return None;
         }
-        let best = match self.geometry.sheets() {
-            [] => None,
-            _ => self.geometry.nearest_sheet(&ExactRay::new(ray), interval, counters),
-        };
+        let best = self.geometry.nearest_sheet(ray, interval, counters);
         self.search_nearest(ray, interval, best, counters)
     }
 
@@ -171,8 +167,7 @@ impl Accel for Instances<'_> {
         if !ray.is_usable() {
             return false;
         }
-        let sheets = self.geometry.sheets();
-        if !sheets.is_empty() && self.geometry.any_sheet(&ExactRay::new(ray), interval, counters) {
+        if self.geometry.any_sheet(ray, interval, counters) {
             return true;
         }
         self.search_any(ray, interval, counters)

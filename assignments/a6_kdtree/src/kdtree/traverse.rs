@@ -166,18 +166,6 @@ impl KdTree<'_> {
         false
     }
 
-    /// Planes and discs, which are in no tree.
-    fn nearest_sheet(&self, ray: &Ray, interval: Interval, c: &mut Counters) -> Option<Hit> {
-        match self.geometry.sheets() {
-            [] => None,
-            _ => self.geometry.nearest_sheet(&ExactRay::new(ray), interval, c),
-        }
-    }
-
-    fn any_sheet(&self, ray: &Ray, interval: Interval, c: &mut Counters) -> bool {
-        !self.geometry.sheets().is_empty() && self.geometry.any_sheet(&ExactRay::new(ray), interval, c)
-    }
-
     /// One ray after the other, all with one stack.
     #[inline(always)]
     fn each_nearest<S: Simd>(
@@ -192,7 +180,7 @@ impl KdTree<'_> {
         for (ray, hit) in rays.iter().zip(hits) {
             *hit = None;
             if ray.is_usable() {
-                let sheet = self.nearest_sheet(ray, interval, c);
+                let sheet = self.geometry.nearest_sheet(ray, interval, c);
                 *hit = match self.nodes.is_empty() {
                     true => sheet,
                     false => self.nearest_in(simd, ray, interval, &mut stack, sheet, c),
@@ -213,7 +201,7 @@ impl KdTree<'_> {
         let mut stack = Stack::new();
         for (ray, hit) in rays.iter().zip(hit) {
             *hit = ray.is_usable()
-                && (self.any_sheet(ray, interval, c)
+                && (self.geometry.any_sheet(ray, interval, c)
                     || !self.nodes.is_empty() && self.any_in(simd, ray, interval, &mut stack, c));
         }
     }
