@@ -44,6 +44,9 @@ pub struct Lens {
     pub aperture: f64,
     /// Distance from the eye to the plane in focus, in scene units.
     pub focal_distance: f64,
+    /// Corners of the aperture: a regular polygon with this many, at least 3, the first on the
+    /// lens's upward axis; a disc if not given.
+    pub blades: Option<u32>,
 }
 
 /// Shape of the screen that pixels lie on.

@@ -29,7 +29,7 @@ fn textures_blend_earlier_materials_and_may_be_flat() {
 fn our_extensions_are_read() {
     let scene = parse(
         "PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0 angle 40
-            aperture 0.5 focalDistance 7 screen curved }
+            aperture 0.5 focalDistance 7 blades 6 screen curved }
          Background { environment sky.hdr }
          Lights { numLights 1 SphereLight { center 0 9 0 radius 2 color 1 1 1 } }
          Materials { numMaterials 1 Material { emissiveColor 5 5 5 absorption 0 1 0
@@ -40,6 +40,7 @@ fn our_extensions_are_read() {
     .expect("a good scene");
     let lens = scene.camera.lens.expect("a lens");
     assert_eq!((lens.aperture, lens.focal_distance, scene.camera.screen), (0.5, 7.0, Screen::Curved));
+    assert_eq!(lens.blades, Some(6));
     assert_eq!(scene.background.environment.as_deref(), Some("sky.hdr".as_ref()));
     assert!(matches!(scene.lights[0].kind, LightKind::Sphere { radius: 2.0, .. }));
     let Material::Phong(material) = &scene.materials[0] else {

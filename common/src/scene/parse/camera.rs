@@ -8,6 +8,7 @@
 //!     angle 30            # degrees; an OrthographicCamera has `size` instead
 //!     aperture 0.5        # our extensions: thin lens
 //!     focalDistance 10
+//!     blades 6            # its aperture a hexagon; round if not given
 //!     screen curved       # and screen
 //! }
 //! ```
@@ -33,6 +34,7 @@ struct Fields {
     angle: Option<f64>,
     aperture: Option<f64>,
     focal_distance: Option<f64>,
+    blades: Option<u32>,
     screen: Screen,
 }
 
@@ -42,7 +44,7 @@ impl<'a> Parser<'a> {
             "OrthographicCamera" => "size",
             _ => "angle",
         };
-        let allowed = ["center", "direction", "up", extent, "aperture", "focalDistance", "screen"];
+        let allowed = ["center", "direction", "up", extent, "aperture", "focalDistance", "blades", "screen"];
         let mut block = self.open(keyword)?;
         let mut fields = Fields::default();
         while let Some(field) = self.field(&mut block, &allowed)? {
@@ -60,9 +62,15 @@ impl<'a> Parser<'a> {
             "angle" => fields.angle = Some(self.field_of_view(field)?),
             "aperture" => fields.aperture = Some(self.not_negative(field)?),
             "focalDistance" => fields.focal_distance = Some(self.positive(field)?),
+            "blades" => fields.blades = Some(self.blades(field)?),
             _ => fields.screen = self.screen()?,
         }
         Ok(())
+    }
+
+    fn blades(&mut self, field: Token<'a>) -> Parsed<u32> {
+        let whole = |n: f64| n.fract() == 0.0 && (3.0..=100.0).contains(&n);
+        Ok(self.bounded(field, "a whole number from 3 to 100", whole)? as u32)
     }
 
     fn field_of_view(&mut self, field: Token<'a>) -> Parsed<f64> {
@@ -93,6 +101,7 @@ impl Fields {
         let direction = block.require(self.direction, "direction")?;
         let up = block.require(self.up, "up")?;
         reject_parallel(block, direction, up)?;
+        self.reject_curved_box(block)?;
         Ok(CameraSpec {
             center,
             direction,
@@ -104,6 +113,15 @@ impl Fields {
         })
     }
 
+    /// Equal angles per pixel make no sense where all rays are parallel.
+    fn reject_curved_box(&self, block: &Block) -> Parsed<()> {
+        if self.screen == Screen::Flat || block.keyword.text != "OrthographicCamera" {
+            return Ok(());
+        }
+        let span = block.place_of("screen").unwrap_or(block.close);
+        Fault::new(span, "an orthographic camera has no curved screen: its rays are parallel").fail()
+    }
+
     fn kind(&self, block: &Block) -> Parsed<CameraKind> {
         Ok(match block.keyword.text {
             "OrthographicCamera" => CameraKind::Orthographic { size: block.require(self.size, "size")? },
@@ -111,14 +129,15 @@ impl Fields {
         })
     }
 
-    /// Both fields of the lens or none.
+    /// Aperture and distance or none of the lens.
     fn lens(&self, block: &Block) -> Parsed<Option<Lens>> {
-        if self.aperture.is_none() && self.focal_distance.is_none() {
+        if self.aperture.is_none() && self.focal_distance.is_none() && self.blades.is_none() {
             return Ok(None);
         }
         Ok(Some(Lens {
             aperture: block.require(self.aperture, "aperture")?,
             focal_distance: block.require(self.focal_distance, "focalDistance")?,
+            blades: self.blades,
         }))
     }
 }
