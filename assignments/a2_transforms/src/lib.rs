@@ -14,7 +14,7 @@ mod normals;
 pub use args::{DiffuseArgs, Program};
 pub use diffuse::{DiffuseColor, diffuse};
 pub use incident::{Incident, Source, incident};
-pub use local::{LocalLight, Unshadowed, Visibility};
+pub use local::{Centres, Lamps, LocalLight, Unshadowed, Visibility};
 pub use normals::Normals;
 
 use a1_ray_casting::Studio;

@@ -7,8 +7,29 @@ use common::geometry::Surface;
 use common::math::{DVec3, Vec3};
 use common::scene::{PhongMaterial, Scene};
 
-/// What stands between a surface and a light.
-pub trait Visibility {
+/// Where light comes from: a seam for lights that have an extent.
+///
+/// A light of one point or one direction takes one look. A larger one takes several, each at a
+/// point of its own, and what these looks find is added up.
+pub trait Lamps {
+    /// How many looks the light at a surface point takes.
+    fn looks(&self, scene: &Scene) -> usize {
+        scene.lights.len()
+    }
+
+    /// The light of one look that arrives at the surface, were nothing in between.
+    fn look(&mut self, scene: &Scene, index: usize, surface: &Surface) -> Incident {
+        incident(&scene.lights[index], surface.point)
+    }
+}
+
+/// One look for each light, at its centre.
+pub struct Centres;
+
+impl Lamps for Centres {}
+
+/// Where light comes from, and what stands between it and a surface.
+pub trait Visibility: Lamps {
     /// The share of the light, per colour channel, that reaches the surface.
     fn transmitted(&mut self, surface: &Surface, light: &Incident) -> Vec3;
 
@@ -18,6 +39,8 @@ pub trait Visibility {
 
 /// Nothing stands between.
 pub struct Unshadowed;
+
+impl Lamps for Unshadowed {}
 
 impl Visibility for Unshadowed {
     fn transmitted(&mut self, _: &Surface, _: &Incident) -> Vec3 {
@@ -39,14 +62,14 @@ pub struct LocalLight<'a> {
 }
 
 impl LocalLight<'_> {
-    /// Ambient and direct light that `surface` sends back against `view` (the unit direction of
-    /// the ray that hit it). `reflect` is the share of one light that a material sends on, given
+    /// Light that `surface` sends against `view` (the unit direction of the ray that hit it): its
+    /// own, and what it returns of ambient and direct light. `reflect` is the share of one light that a material sends on, given
     /// normal, direction to the light and direction to the viewer, all unit; a mixture sends on
     /// the weighted sum. It must be black for light from behind. However many materials are
     /// mixed, what stands before a light is asked for once.
     ///
-    /// A surface seen from behind is black, ambient light included, unless `shade_back` turns
-    /// its normal round first.
+    /// A surface seen from behind is black, its own light included, unless `shade_back` turns its
+    /// normal round first.
     pub fn radiance(
         &self,
         surface: &Surface,
@@ -64,9 +87,10 @@ impl LocalLight<'_> {
             true => -surface.geometric_normal,
             false => surface.geometric_normal,
         });
-        let mut radiance = self.scene.background.ambient_light * mixture.blend(|m| m.diffuse);
-        for light in &self.scene.lights {
-            let light = incident(light, surface.point);
+        let own = mixture.blend(|m| m.emissive);
+        let mut radiance = own + self.scene.background.ambient_light * mixture.blend(|m| m.diffuse);
+        for index in 0..visibility.looks(self.scene) {
+            let light = visibility.look(self.scene, index, surface);
             let nothing = adds_nothing(&light, normal, leaning_from);
             if nothing.is_some_and(|why| visibility.skip(why)) {
                 continue;
@@ -123,6 +147,8 @@ mod tests {
 
     /// Looks at everything, also at lights that add nothing.
     struct Thorough;
+
+    impl Lamps for Thorough {}
 
     impl Visibility for Thorough {
         fn transmitted(&mut self, _: &Surface, _: &Incident) -> Vec3 {

@@ -1,21 +1,24 @@
 //! A4T1: shadow rays.
 
 use crate::{Recorder, Whitted};
-use a2_transforms::{Incident, Source, Visibility};
+use a2_transforms::{Incident, Lamps, Source, Visibility};
 use common::cli::Skip;
 use common::counters::Counters;
 use common::geometry::{Hit, Surface};
 use common::math::{Interval, Vec3};
 use common::ray::Ray;
+use common::scene::Scene;
 
 /// Asks the structure what stands between a surface and a light.
-pub struct ShadowRays<'a, 'b, R: Recorder> {
+pub struct ShadowRays<'a, 'b, R: Recorder, L: Lamps> {
     /// Scene, structure and rules.
     pub whitted: &'a Whitted<'b>,
     /// Where rays and skips are counted.
     pub counters: &'a mut Counters,
     /// Who watches.
     pub recorder: &'a mut R,
+    /// Where light comes from.
+    pub lamps: &'a mut L,
     /// The ray that found the surface.
     pub parent: R::Id,
 }
@@ -35,7 +38,7 @@ fn shadow_ray(surface: &Surface, light: &Incident) -> (Ray, Interval) {
     }
 }
 
-impl<R: Recorder> ShadowRays<'_, '_, R> {
+impl<R: Recorder, L: Lamps> ShadowRays<'_, '_, R, L> {
     /// The transparent colour of what was hit. Only a texture needs the point.
     fn transparency(&self, ray: &Ray, hit: &Hit) -> Vec3 {
         let (scene, geometry) = (self.whitted.scene, self.whitted.accel.geometry());
@@ -59,7 +62,17 @@ impl<R: Recorder> ShadowRays<'_, '_, R> {
     }
 }
 
-impl<R: Recorder> Visibility for ShadowRays<'_, '_, R> {
+impl<R: Recorder, L: Lamps> Lamps for ShadowRays<'_, '_, R, L> {
+    fn looks(&self, scene: &Scene) -> usize {
+        self.lamps.looks(scene)
+    }
+
+    fn look(&mut self, scene: &Scene, index: usize, surface: &Surface) -> Incident {
+        self.lamps.look(scene, index, surface)
+    }
+}
+
+impl<R: Recorder, L: Lamps> Visibility for ShadowRays<'_, '_, R, L> {
     fn transmitted(&mut self, surface: &Surface, light: &Incident) -> Vec3 {
         let rules = &self.whitted.rules;
         if !rules.shadows {

@@ -4,7 +4,7 @@ use crate::interface::{crossing, mirrored_direction, opaque_mirror, panes};
 use crate::shadow::ShadowRays;
 use crate::{NoRecord, RayKind, Recorder};
 use a1_ray_casting::{Layer, Mixture, Sight, World};
-use a2_transforms::LocalLight;
+use a2_transforms::{Centres, Lamps, LocalLight};
 use a3_phong::Phong;
 use common::accel::Accel;
 use common::counters::Counters;
@@ -61,8 +61,19 @@ struct Branch<I> {
 }
 
 impl Whitted<'_> {
-    /// Radiance that arrives along a camera ray whose nearest hit is known.
+    /// Radiance that arrives along a camera ray whose nearest hit is known; all lights are points.
     pub fn radiance<R: Recorder>(&self, sight: &Sight, counters: &mut Counters, recorder: &mut R) -> Vec3 {
+        self.radiance_of(sight, &mut Centres, counters, recorder)
+    }
+
+    /// The same with light from `lamps`, which are asked at every surface point on the way.
+    pub fn radiance_of<R: Recorder>(
+        &self,
+        sight: &Sight,
+        lamps: &mut impl Lamps,
+        counters: &mut Counters,
+        recorder: &mut R,
+    ) -> Vec3 {
         let mut waiting = Vec::new();
         let camera = Branch {
             ray: sight.ray,
@@ -73,22 +84,24 @@ impl Whitted<'_> {
             parent: R::Id::default(),
         };
         let surface = sight.surface().copied();
-        let mut radiance = self.follow(&camera, sight.hit, surface, &mut waiting, counters, recorder);
+        let mut radiance = self.follow(&camera, sight.hit, surface, lamps, &mut waiting, counters, recorder);
         while let Some(branch) = waiting.pop() {
             counters.rays += 1;
             let hit = self.accel.nearest(&branch.ray, Interval::FORWARD, counters);
             let surface = hit.map(|h| self.accel.geometry().surface(&branch.ray, &h));
-            radiance += self.follow(&branch, hit, surface, &mut waiting, counters, recorder);
+            radiance += self.follow(&branch, hit, surface, lamps, &mut waiting, counters, recorder);
         }
         radiance
     }
 
     /// One ray's own share of the radiance; its branches are put on the heap.
+    #[expect(clippy::too_many_arguments, reason = "what a ray met, and who is asked and told")]
     fn follow<R: Recorder>(
         &self,
         branch: &Branch<R::Id>,
         hit: Option<Hit>,
         surface: Option<Surface>,
+        lamps: &mut impl Lamps,
         waiting: &mut Vec<Branch<R::Id>>,
         counters: &mut Counters,
         recorder: &mut R,
@@ -105,7 +118,7 @@ impl Whitted<'_> {
             self.branch(&at, &surface, &mixture, waiting, counters);
         }
         let reflect = |m: &PhongMaterial, n, l, v| self.phong.reflect(m, n, l, v);
-        let mut shadows = ShadowRays { whitted: self, counters, recorder, parent: id };
+        let mut shadows = ShadowRays { whitted: self, counters, recorder, lamps, parent: id };
         throughput * self.light.radiance(&surface, &mixture, branch.ray.direction, reflect, &mut shadows)
     }
 

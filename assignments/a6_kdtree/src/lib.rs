@@ -21,6 +21,7 @@ pub use lazy::Lazy;
 pub use tracer::{LazyBvh, LazyInstances, LazyTree, Tracer};
 
 use a1_ray_casting::{Report, Studio};
+use common::accel::Accel;
 use common::cli::AppError;
 use picture::BoxPicture;
 use std::time::Duration;
@@ -31,9 +32,59 @@ use texture::TexturedScene;
 /// # Errors
 /// Bad usage, an unreadable scene, an unwritable picture.
 pub fn run(args: &AccelArgs) -> Result<(), AppError> {
+    perform(args, &Plain)
+}
+
+/// What a later step does differently.
+pub trait Step {
+    /// Changes the scene's camera, or what else was read.
+    ///
+    /// # Errors
+    /// If that is impossible.
+    fn adjust(&self, _: &mut Studio) -> Result<(), AppError> {
+        Ok(())
+    }
+
+    /// Draws and writes the pictures of the scene itself; `args` are those of [`perform`].
+    ///
+    /// # Errors
+    /// An unwritable picture.
+    fn draw(
+        &self,
+        args: &AccelArgs,
+        studio: &Studio,
+        scene: &TexturedScene,
+        accel: &dyn Accel,
+        report: &mut Report,
+    ) -> Result<(), AppError>;
+}
+
+/// This step: one ray through the centre of every pixel.
+struct Plain;
+
+impl Step for Plain {
+    fn draw(
+        &self,
+        args: &AccelArgs,
+        studio: &Studio,
+        scene: &TexturedScene,
+        accel: &dyn Accel,
+        report: &mut Report,
+    ) -> Result<(), AppError> {
+        let heat = args.heat_picture().into_iter().collect();
+        a4_whitted::expose(&args.grid.whitted, studio, scene, accel, heat, report)
+    }
+}
+
+/// The whole program, with the scene's own pictures drawn by `step`.
+///
+/// # Errors
+/// Bad usage, an unreadable scene, an unwritable picture.
+pub fn perform(args: &AccelArgs, step: &dyn Step) -> Result<(), AppError> {
     let args = &args.with_outputs();
     args.check()?;
-    let (studio, mut report) = Studio::open_textured(args.cast(), &args.grid.outputs())?;
+    let (mut studio, mut report) = Studio::open_textured(args.cast(), &args.grid.outputs())?;
+    step.adjust(&mut studio)?;
     let load = || TexturedScene::load(&studio.scene, &studio.geometry, &args.cast().input);
     let scene = report.time("textures", load)?;
     report.notes.extend(scene.describe());
@@ -53,7 +104,7 @@ pub fn run(args: &AccelArgs) -> Result<(), AppError> {
     })?;
     match tracer.kd_tree().filter(|_| args.visualize_kdtree) {
         Some(tree) => draw_boxes(args, &studio, tree, &mut report)?,
-        None => draw_scene(args, &studio, &scene, &tracer, &mut report)?,
+        None => draw_scene(args, &studio, &scene, &tracer, step, &mut report)?,
     }
     report.cells = tracer.cells();
     report.notes.extend(tracer.figures(&report.counters));
@@ -84,13 +135,13 @@ fn draw_scene(
     studio: &Studio,
     scene: &TexturedScene,
     tracer: &Tracer,
+    step: &dyn Step,
     report: &mut Report,
 ) -> Result<(), AppError> {
-    let (whitted, heat) = (&args.grid.whitted, args.heat_picture());
-    a4_whitted::expose(whitted, studio, scene, tracer.as_accel(), heat.into_iter().collect(), report)?;
+    step.draw(args, studio, scene, tracer.as_accel(), report)?;
     let build = tracer.build_time().unwrap_or_default();
     // The ray of -trace asks before rendering begins.
-    let waited = if whitted.trace.is_some() { Duration::ZERO } else { build };
+    let waited = if args.grid.whitted.trace.is_some() { Duration::ZERO } else { build };
     for (phase, time) in &mut report.phases {
         match *phase {
             "build" => *time += build,

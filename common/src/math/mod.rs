@@ -9,7 +9,7 @@ pub mod interval;
 
 pub use affine::Affine;
 pub use bounds::Bounds;
-pub use glam::{DMat3, DMat4, DVec3, DVec4, Vec2, Vec3, Vec3A};
+pub use glam::{DMat3, DMat4, DVec3, DVec4, Vec2, Vec3, Vec3A, Vec4};
 pub use interval::Interval;
 
 /// Half the distance from 1 to the next `f32`, 2⁻²⁴: the relative error of one rounding.

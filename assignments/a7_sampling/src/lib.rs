@@ -1,0 +1,3 @@
+pub mod film;
+pub mod filter;
+pub mod sampler;
