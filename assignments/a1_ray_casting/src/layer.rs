@@ -40,6 +40,14 @@ pub trait Layer: Sync {
     /// Linear RGB of one camera ray.
     fn value(&self, sight: &Sight, counters: &mut Counters) -> Vec3;
 
+    /// The same of many camera rays, to the last bit; a layer that sends rays of its own may be
+    /// faster with many at a time.
+    fn values(&self, sights: &[Sight], counters: &mut Counters, out: &mut [Vec3]) {
+        for (sight, out) in sights.iter().zip(out) {
+            *out = self.value(sight, counters);
+        }
+    }
+
     /// Whether it looks at the nearest hit at all; if no layer does, none is searched for.
     fn needs_hit(&self) -> bool {
         true

@@ -7,11 +7,12 @@ use common::camera::{Camera, screen_position};
 use common::cli::{self, AppError, SimdChoice, Skip};
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit};
+use common::math::Vec3;
 use common::picture::{Film, Size, Transfer, check_output, write};
 use common::ray::Ray;
 use common::scene::{self, Material, Scene};
 use common::simd;
-use common::tiles::{Tile, render};
+use common::tiles::{Tile, TileLayers, render};
 use std::path::{Path, PathBuf};
 
 /// From this many primitives on, asking whether a tile can see any of them pays for itself.
@@ -22,6 +23,7 @@ const WORTH_CULLING: usize = 16;
 struct TileRays {
     rays: Vec<Ray>,
     hits: Vec<Option<Hit>>,
+    values: Vec<Vec3>,
 }
 
 /// A layer and the file it is written to.
@@ -141,24 +143,47 @@ impl Studio {
             |shots, tile, counters: &mut Counters, out| {
                 self.aim(tile, shots);
                 let search = needs_hit && !self.skips(args, tile, tile.area() as u64, counters);
-                if search && !one_by_one {
+                if one_by_one {
+                    return self.look_one_by_one(accel, layers, search, tile, shots, counters, out);
+                }
+                if search {
                     accel.nearest_many(&shots.rays, self.camera.interval, &mut shots.hits, counters);
                 }
-                for (i, (x, y)) in tile.pixels().enumerate() {
-                    let (ray, work_before) = (shots.rays[i], counters.work());
-                    let hit = match search && one_by_one {
-                        true => accel.nearest(&ray, self.camera.interval, counters),
-                        false => shots.hits[i],
-                    };
-                    let mut sight = Sight::new(&self.geometry, ray, hit);
-                    sight.work_before = work_before;
-                    for (i, layer) in layers.iter().enumerate() {
-                        out.set(i, x, y, layer.value(&sight, counters));
-                    }
+                let met = shots.rays.iter().zip(&shots.hits);
+                let sights: Vec<Sight> =
+                    met.map(|(ray, hit)| Sight::new(&self.geometry, *ray, *hit)).collect();
+                shots.values.resize(sights.len(), Vec3::ZERO);
+                for (i, layer) in layers.iter().enumerate() {
+                    layer.values(&sights, counters, &mut shots.values);
+                    tile.pixels().zip(&shots.values).for_each(|((x, y), value)| out.set(i, x, y, *value));
                 }
             },
         );
         (rendered.films, rendered.counters)
+    }
+
+    /// Traces and looks at one ray of a tile after the other, so that what has been counted since
+    /// was done for it.
+    #[expect(clippy::too_many_arguments, reason = "the second half of a closure")]
+    fn look_one_by_one(
+        &self,
+        accel: &dyn Accel,
+        layers: &[&dyn Layer],
+        search: bool,
+        tile: Tile,
+        shots: &TileRays,
+        counters: &mut Counters,
+        out: &mut TileLayers,
+    ) {
+        for ((x, y), ray) in tile.pixels().zip(&shots.rays) {
+            let work_before = counters.work();
+            let hit = if search { accel.nearest(ray, self.camera.interval, counters) } else { None };
+            let mut sight = Sight::new(&self.geometry, *ray, hit);
+            sight.work_before = work_before;
+            for (i, layer) in layers.iter().enumerate() {
+                out.set(i, x, y, layer.value(&sight, counters));
+            }
+        }
     }
 
     /// One ray through the centre of every pixel of a tile, and no hits yet.

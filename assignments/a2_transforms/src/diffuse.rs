@@ -1,6 +1,6 @@
 //! A2T2: Lambert's cosine law.
 
-use crate::{LocalLight, Unshadowed};
+use crate::LocalLight;
 use a1_ray_casting::{Layer, Sight, World};
 use common::counters::Counters;
 use common::math::Vec3;
@@ -23,6 +23,6 @@ impl Layer for DiffuseColor<'_> {
     fn value(&self, sight: &Sight, _: &mut Counters) -> Vec3 {
         let Some(surface) = sight.surface() else { return self.scene.as_scene().background.color };
         let mixture = self.scene.at(surface);
-        self.light.radiance(surface, &mixture, sight.ray.direction, diffuse, &mut Unshadowed)
+        self.light.radiance(surface, &mixture, sight.ray.direction, diffuse)
     }
 }

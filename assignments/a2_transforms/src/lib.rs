@@ -2,8 +2,8 @@
 //!
 //! The shapes and their placement live in `common` (`geometry`, `shape`), because every later
 //! step needs them; the idea of this step is what light does at a surface. [`LocalLight`] adds
-//! up ambient and direct light; later steps hand it a richer reflectance (assignment 3) and a
-//! visibility that casts shadow rays (assignment 4).
+//! up ambient and direct light; later steps hand it a richer reflectance (assignment 3) and ask
+//! shadow rays what stands before each light (assignment 4).
 
 mod args;
 mod diffuse;
@@ -14,7 +14,7 @@ mod normals;
 pub use args::{DiffuseArgs, Program};
 pub use diffuse::{DiffuseColor, diffuse};
 pub use incident::{Incident, Source, falloff, incident};
-pub use local::{Centres, Lamps, LocalLight, Unshadowed, Visibility};
+pub use local::{Centres, Lamps, LocalLight};
 pub use normals::Normals;
 
 use a1_ray_casting::Studio;

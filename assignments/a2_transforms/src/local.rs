@@ -7,7 +7,7 @@ use common::geometry::Surface;
 use common::math::{DVec3, Vec3};
 use common::scene::{PhongMaterial, Scene};
 
-/// Where light comes from: a seam for lights that have an extent.
+/// Where light comes from: a seam for lights that have an extent, and for shadows.
 ///
 /// A light of one point or one direction takes one look. A larger one takes several, each at a
 /// point of its own, and what these looks find is added up.
@@ -21,36 +21,17 @@ pub trait Lamps {
     fn look(&mut self, scene: &Scene, index: usize, surface: &Surface) -> Incident {
         incident(&scene.lights[index], surface.point)
     }
+
+    /// Told that a look adds nothing here, and why; returns whether to leave it out.
+    fn skip(&mut self, _: Skip) -> bool {
+        true
+    }
 }
 
 /// One look for each light, at its centre.
 pub struct Centres;
 
 impl Lamps for Centres {}
-
-/// Where light comes from, and what stands between it and a surface.
-pub trait Visibility: Lamps {
-    /// The share of the light, per colour channel, that reaches the surface.
-    fn transmitted(&mut self, surface: &Surface, light: &Incident) -> Vec3;
-
-    /// Told that a light adds nothing here, and why; returns whether to leave it out.
-    fn skip(&mut self, why: Skip) -> bool;
-}
-
-/// Nothing stands between.
-pub struct Unshadowed;
-
-impl Lamps for Unshadowed {}
-
-impl Visibility for Unshadowed {
-    fn transmitted(&mut self, _: &Surface, _: &Incident) -> Vec3 {
-        Vec3::ONE
-    }
-
-    fn skip(&mut self, _: Skip) -> bool {
-        true
-    }
-}
 
 /// The scene's lights, and how surfaces seen from behind are treated.
 #[derive(Clone, Copy)]
@@ -62,21 +43,39 @@ pub struct LocalLight<'a> {
 }
 
 impl LocalLight<'_> {
-    /// Light that `surface` sends against `view` (the unit direction of the ray that hit it): its
-    /// own, and what it returns of ambient and direct light. `reflect` is the share of one light that a material sends on, given
-    /// normal, direction to the light and direction to the viewer, all unit; a mixture sends on
-    /// the weighted sum. It must be black for light from behind. However many materials are
-    /// mixed, what stands before a light is asked for once.
-    ///
-    /// A surface seen from behind is black, its own light included, unless `shade_back` turns its
-    /// normal round first.
+    /// Light that `surface` sends against `view` (the unit direction of the ray that hit it),
+    /// nothing standing between it and the lights; see [`LocalLight::gather`].
     pub fn radiance(
         &self,
         surface: &Surface,
         mixture: &Mixture,
         view: Vec3,
         reflect: impl Fn(&PhongMaterial, Vec3, Vec3, Vec3) -> Vec3,
-        visibility: &mut impl Visibility,
+    ) -> Vec3 {
+        let mut direct = Vec3::ZERO;
+        let add = |_: usize, _: &Incident, reflected: Vec3| direct += reflected;
+        let own = self.gather(surface, mixture, view, reflect, &mut Centres, add);
+        own + direct
+    }
+
+    /// The surface's own light and what it returns of ambient light; then, told to `each` look by
+    /// look, what it would return of the lights if nothing stood before them.
+    ///
+    /// `reflect` is the share of one light that a material sends on, given normal, direction to
+    /// the light and direction to the viewer, all unit; a mixture sends on the weighted sum. It
+    /// must be black for light from behind. However many materials are mixed, a light is told of
+    /// once.
+    ///
+    /// A surface seen from behind is black, its own light included, unless `shade_back` turns its
+    /// normal round first.
+    pub fn gather(
+        &self,
+        surface: &Surface,
+        mixture: &Mixture,
+        view: Vec3,
+        reflect: impl Fn(&PhongMaterial, Vec3, Vec3, Vec3) -> Vec3,
+        lamps: &mut impl Lamps,
+        mut each: impl FnMut(usize, &Incident, Vec3),
     ) -> Vec3 {
         let from_behind = view.dot(surface.normal) > 0.0;
         if from_behind && !self.shade_back {
@@ -87,21 +86,20 @@ impl LocalLight<'_> {
             true => -surface.geometric_normal,
             false => surface.geometric_normal,
         });
-        let own = mixture.blend(|m| m.emissive);
-        let mut radiance = own + self.scene.background.ambient_light * mixture.blend(|m| m.diffuse);
-        for index in 0..visibility.looks(self.scene) {
-            let light = visibility.look(self.scene, index, surface);
+        for index in 0..lamps.looks(self.scene) {
+            let light = lamps.look(self.scene, index, surface);
             let nothing = adds_nothing(&light, normal, leaning_from);
-            if nothing.is_some_and(|why| visibility.skip(why)) {
+            if nothing.is_some_and(|why| lamps.skip(why)) {
                 continue;
             }
             let reflected = match nothing {
                 Some(Skip::Behind) => Vec3::ZERO,
                 _ => mixture.blend(|m| reflect(m, normal, light.direction, -view)),
             };
-            radiance += visibility.transmitted(surface, &light) * light.color * reflected;
+            each(index, &light, light.color * reflected);
         }
-        radiance
+        let ambient = self.scene.background.ambient_light;
+        mixture.blend(|m| m.emissive) + ambient * mixture.blend(|m| m.diffuse)
     }
 }
 
@@ -122,7 +120,7 @@ fn adds_nothing(light: &Incident, normal: Vec3, leaning_from: Option<DVec3>) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Unshadowed, diffuse};
+    use crate::diffuse;
     use common::mesh::{Mesh, MeshError};
     use common::scene::{MeshSource, PhongMaterial, parse_str};
     use std::sync::Arc;
@@ -148,13 +146,7 @@ mod tests {
     /// Looks at everything, also at lights that add nothing.
     struct Thorough;
 
-    impl Lamps for Thorough {}
-
-    impl Visibility for Thorough {
-        fn transmitted(&mut self, _: &Surface, _: &Incident) -> Vec3 {
-            Vec3::ONE
-        }
-
+    impl Lamps for Thorough {
         fn skip(&mut self, _: Skip) -> bool {
             false
         }
@@ -175,9 +167,11 @@ mod tests {
         };
         let (material, view) = (PhongMaterial::default(), view.normalize());
         let mixture = Mixture::Plain(&material);
-        let skipped = local.radiance(&surface, &mixture, view, diffuse, &mut Unshadowed);
-        let thorough = local.radiance(&surface, &mixture, view, diffuse, &mut Thorough);
-        [skipped.x, thorough.x]
+        let skipped = local.radiance(&surface, &mixture, view, diffuse);
+        let mut thorough = 0.0;
+        let add = |_: usize, _: &Incident, reflected: Vec3| thorough += reflected.x;
+        local.gather(&surface, &mixture, view, diffuse, &mut Thorough, add);
+        [skipped.x, thorough]
     }
 
     #[test]

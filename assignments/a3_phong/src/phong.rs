@@ -2,7 +2,7 @@
 
 use crate::Specular;
 use a1_ray_casting::{Layer, Sight, World};
-use a2_transforms::{LocalLight, Unshadowed, diffuse};
+use a2_transforms::{LocalLight, diffuse};
 use common::counters::Counters;
 use common::geometry::Surface;
 use common::math::Vec3;
@@ -50,7 +50,7 @@ impl PhongColor<'_> {
     pub fn shade(&self, surface: &Surface, view: Vec3) -> Vec3 {
         let mixture = self.scene.at(surface);
         let reflect = |m: &PhongMaterial, n, l, v| self.phong.reflect(m, n, l, v);
-        self.light.radiance(surface, &mixture, view, reflect, &mut Unshadowed)
+        self.light.radiance(surface, &mixture, view, reflect)
     }
 }
 

@@ -9,6 +9,7 @@ mod interface;
 mod optics;
 mod shadow;
 mod tree;
+mod wave;
 mod whitted;
 
 pub use args::{Program, WhittedArgs};

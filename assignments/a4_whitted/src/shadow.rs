@@ -1,94 +1,32 @@
 //! A4T1: shadow rays.
 
 use crate::{Recorder, Whitted};
-use a2_transforms::{Incident, Lamps, Source, Visibility};
+use a2_transforms::{Incident, Lamps, Source};
 use common::cli::Skip;
 use common::counters::Counters;
-use common::geometry::{Hit, Surface};
+use common::geometry::{Departure, Hit, Surface};
 use common::math::{Interval, Vec3};
 use common::ray::Ray;
 use common::scene::Scene;
 
-/// Asks the structure what stands between a surface and a light.
-pub struct ShadowRays<'a, 'b, R: Recorder, L: Lamps> {
-    /// Scene, structure and rules.
-    pub whitted: &'a Whitted<'b>,
-    /// Where rays and skips are counted.
-    pub counters: &'a mut Counters,
-    /// Who watches.
-    pub recorder: &'a mut R,
+/// The lamps as shadow rays look at them: what adds nothing is counted, and left out unless
+/// switched off.
+pub struct Asked<'a, 'w, L: Lamps> {
+    /// Its rules.
+    pub whitted: &'a Whitted<'w>,
     /// Where light comes from.
     pub lamps: &'a mut L,
-    /// The ray that found the surface.
-    pub parent: R::Id,
+    /// Where skips are counted.
+    pub counters: &'a mut Counters,
 }
 
-/// From beside the surface to the light; a light at a point is at t = 1, so that what stands
-/// behind it casts no shadow.
-fn shadow_ray(surface: &Surface, light: &Incident) -> (Ray, Interval) {
-    match light.source {
-        Source::Direction(towards) => {
-            let direction = towards.as_vec3();
-            (Ray::new(surface.leave(direction.as_dvec3()), direction), Interval::FORWARD)
-        }
-        Source::Point(position) => {
-            let origin = surface.leave(position - surface.point);
-            (Ray::new(origin, (position - origin.as_dvec3()).as_vec3()), Interval::up_to(1.0))
-        }
-    }
-}
-
-impl<R: Recorder, L: Lamps> ShadowRays<'_, '_, R, L> {
-    /// The transparent colour of what was hit. Only a texture needs the point.
-    fn transparency(&self, ray: &Ray, hit: &Hit) -> Vec3 {
-        let (scene, geometry) = (self.whitted.scene, self.whitted.accel.geometry());
-        match scene.plain(geometry.material(hit.primitive)) {
-            Some(material) => material.transparent,
-            None => scene.at(&geometry.surface(ray, hit)).blend(|m| m.transparent),
-        }
-    }
-
-    /// The product of the transparent colours on the way; black at the first opaque surface.
-    fn filtered(&mut self, ray: &Ray, mut interval: Interval) -> Vec3 {
-        let mut share = Vec3::ONE;
-        while let Some(hit) = self.whitted.accel.nearest(ray, interval, self.counters) {
-            share *= self.transparency(ray, &hit);
-            if share == Vec3::ZERO {
-                break;
-            }
-            interval.min = hit.t;
-        }
-        share
-    }
-}
-
-impl<R: Recorder, L: Lamps> Lamps for ShadowRays<'_, '_, R, L> {
+impl<L: Lamps> Lamps for Asked<'_, '_, L> {
     fn looks(&self, scene: &Scene) -> usize {
         self.lamps.looks(scene)
     }
 
     fn look(&mut self, scene: &Scene, index: usize, surface: &Surface) -> Incident {
         self.lamps.look(scene, index, surface)
-    }
-}
-
-impl<R: Recorder, L: Lamps> Visibility for ShadowRays<'_, '_, R, L> {
-    fn transmitted(&mut self, surface: &Surface, light: &Incident) -> Vec3 {
-        let rules = &self.whitted.rules;
-        if !rules.shadows {
-            return Vec3::ONE;
-        }
-        self.counters.shadow_rays += 1;
-        let (ray, interval) = shadow_ray(surface, light);
-        let share = if rules.transparent_shadows {
-            self.filtered(&ray, interval)
-        } else if self.whitted.accel.any(&ray, interval, self.counters) {
-            Vec3::ZERO
-        } else {
-            Vec3::ONE
-        };
-        self.recorder.shadow(self.parent, &ray, share);
-        share
     }
 
     fn skip(&mut self, why: Skip) -> bool {
@@ -99,5 +37,123 @@ impl<R: Recorder, L: Lamps> Visibility for ShadowRays<'_, '_, R, L> {
         };
         *counter += u64::from(skips && rules.shadows);
         skips || !rules.shadows
+    }
+}
+
+/// A shadow ray's share of an owner's radiance if nothing blocks it.
+struct Promise<I> {
+    owner: u32,
+    radiance: Vec3,
+    parent: I,
+}
+
+/// The shadow rays of one look at one light, from many surface points.
+struct Bunch<I> {
+    rays: Vec<Ray>,
+    promises: Vec<Promise<I>>,
+    interval: Interval,
+}
+
+/// Shadow rays that wait to be sent, look by look.
+pub struct ShadowRays<'a, 'w, I> {
+    whitted: &'a Whitted<'w>,
+    bunches: Vec<Bunch<I>>,
+}
+
+impl<'a, 'w, I: Copy> ShadowRays<'a, 'w, I> {
+    /// None yet.
+    pub fn new(whitted: &'a Whitted<'w>) -> Self {
+        Self { whitted, bunches: Vec::new() }
+    }
+
+    /// One more, from beside the surface to the light; a light at a point is at t = 1, so that what
+    /// stands behind it casts no shadow. Without shadows it is as good as sent.
+    #[expect(clippy::too_many_arguments, reason = "a ray, what it is for, and who made it")]
+    pub fn add(
+        &mut self,
+        look: usize,
+        light: &Incident,
+        surface: &Surface,
+        departure: &Departure,
+        owner: u32,
+        radiance: Vec3,
+        parent: I,
+    ) {
+        let (ray, interval) = match light.source {
+            Source::Direction(towards) => {
+                let direction = towards.as_vec3();
+                (Ray::new(departure.towards(direction.as_dvec3()), direction), Interval::FORWARD)
+            }
+            Source::Point(position) => {
+                let origin = departure.towards(position - surface.point);
+                (Ray::new(origin, (position - origin.as_dvec3()).as_vec3()), Interval::up_to(1.0))
+            }
+        };
+        while self.bunches.len() <= look {
+            self.bunches.push(Bunch { rays: Vec::new(), promises: Vec::new(), interval });
+        }
+        let bunch = &mut self.bunches[look];
+        bunch.interval = interval;
+        bunch.rays.push(ray);
+        bunch.promises.push(Promise { owner, radiance, parent });
+    }
+
+    /// Sends all and adds what is not blocked to the radiance of its owners.
+    pub fn send<R: Recorder<Id = I>>(
+        self,
+        radiances: &mut [Vec3],
+        counters: &mut Counters,
+        recorder: &mut R,
+    ) {
+        let rules = &self.whitted.rules;
+        for Bunch { rays, promises, interval } in self.bunches {
+            let mut add = |i: usize, share: Vec3| {
+                let promise: &Promise<I> = &promises[i];
+                radiances[promise.owner as usize] += share * promise.radiance;
+                if rules.shadows {
+                    recorder.shadow(promise.parent, &rays[i], share);
+                }
+            };
+            if !rules.shadows {
+                (0..rays.len()).for_each(|i| add(i, Vec3::ONE));
+                continue;
+            }
+            counters.shadow_rays += rays.len() as u64;
+            if rules.transparent_shadows {
+                for (i, ray) in rays.iter().enumerate() {
+                    add(i, self.whitted.filtered(ray, interval, counters));
+                }
+                continue;
+            }
+            let mut blocked = vec![false; rays.len()];
+            self.whitted.accel.any_many(&rays, interval, &mut blocked, counters);
+            for (i, blocked) in blocked.into_iter().enumerate() {
+                add(i, if blocked { Vec3::ZERO } else { Vec3::ONE });
+            }
+        }
+    }
+}
+
+impl Whitted<'_> {
+    /// The product of the transparent colours on the way; black at the first opaque surface.
+    fn filtered(&self, ray: &Ray, mut interval: Interval, counters: &mut Counters) -> Vec3 {
+        let mut share = Vec3::ONE;
+        while let Some(hit) = self.accel.nearest(ray, interval, counters) {
+            share *= self.transparency(ray, &hit);
+            if share == Vec3::ZERO {
+                break;
+            }
+            interval.min = hit.t;
+        }
+        share
+    }
+
+    /// The transparent colour of what was hit. Only a texture needs the point.
+    fn transparency(&self, ray: &Ray, hit: &Hit) -> Vec3 {
+        let geometry = self.accel.geometry();
+        match self.scene.plain(geometry.material(hit.primitive)) {
+            Some(material) => material.transparent,
+            None => self.scene.at(&geometry.surface(ray, hit)).blend(|m| m.transparent),
+        }
     }
 }

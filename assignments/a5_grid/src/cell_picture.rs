@@ -2,7 +2,7 @@
 
 use crate::{Cells, March};
 use a1_ray_casting::{Layer, Mixture, Sight};
-use a2_transforms::{LocalLight, Unshadowed, diffuse};
+use a2_transforms::{LocalLight, diffuse};
 use common::counters::Counters;
 use common::geometry::Surface;
 use common::math::{DVec3, Interval, Vec3};
@@ -55,7 +55,7 @@ pub fn shaded_face(light: &LocalLight, ray: &Ray, axis: usize, t: f64, color: Ve
         weights: [0.0; 2],
     };
     let material = PhongMaterial { diffuse: color, ..PhongMaterial::default() };
-    light.radiance(&surface, &Mixture::Plain(&material), ray.direction, diffuse, &mut Unshadowed)
+    light.radiance(&surface, &Mixture::Plain(&material), ray.direction, diffuse)
 }
 
 impl CellPicture<'_> {

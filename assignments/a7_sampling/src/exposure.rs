@@ -20,10 +20,17 @@ use std::sync::Mutex;
 /// for the caches.
 const TOGETHER: usize = 1024;
 
-/// The light that a camera ray finds.
+/// The light that camera rays find.
 pub trait Shade: Sync {
-    /// Radiance along the ray of one sample of a pixel.
-    fn radiance(&self, sight: &Sight, pixel: Pixel, sample: u32, counters: &mut Counters) -> Vec3;
+    /// Radiance along rays, each of one sample of a pixel. It must not depend on which rays are
+    /// asked for together.
+    fn radiances(
+        &self,
+        sights: &[Sight],
+        samples: &[(Pixel, u32)],
+        counters: &mut Counters,
+        radiances: &mut [Vec3],
+    );
 }
 
 /// A sample as it comes back.
@@ -61,6 +68,8 @@ struct Desk {
     samples: Vec<Sample>,
     rays: Vec<Ray>,
     hits: Vec<Option<Hit>>,
+    names: Vec<(Pixel, u32)>,
+    radiances: Vec<Vec3>,
     counters: Counters,
 }
 
@@ -161,9 +170,15 @@ impl Exposure<'_> {
             let interval = self.studio.camera.interval;
             self.accel.nearest_many(&desk.rays, interval, &mut desk.hits, &mut desk.counters);
         }
-        for (i, (pixel, sample)) in every_sample(wanted).enumerate() {
-            let sight = Sight::new(&self.studio.geometry, desk.rays[i], desk.hits[i]);
-            desk.samples[i].color = self.shade.radiance(&sight, pixel, sample, &mut desk.counters);
+        let met = desk.rays.iter().zip(&desk.hits);
+        let sights: Vec<Sight> =
+            met.map(|(ray, hit)| Sight::new(&self.studio.geometry, *ray, *hit)).collect();
+        desk.names.clear();
+        desk.names.extend(every_sample(wanted));
+        desk.radiances.resize(sights.len(), Vec3::ZERO);
+        self.shade.radiances(&sights, &desk.names, &mut desk.counters, &mut desk.radiances);
+        for (sample, radiance) in desk.samples.iter_mut().zip(&desk.radiances) {
+            sample.color = *radiance;
         }
     }
 

@@ -6,6 +6,7 @@ use crate::picture::{SamplesPicture, kernel_picture};
 use crate::sampler::{Pattern, Pixel};
 use crate::{Exposure, Sample, SamplingArgs, Shade, smoothed};
 use a1_ray_casting::{Report, Sight, Studio, World};
+use a2_transforms::Centres;
 use a4_whitted::{NoRecord, Whitted};
 use a6_kdtree::texture::TexturedScene;
 use a6_kdtree::{AccelArgs, Step};
@@ -43,12 +44,23 @@ pub struct SoftWhitted<'a> {
 }
 
 impl Shade for SoftWhitted<'_> {
-    fn radiance(&self, sight: &Sight, pixel: Pixel, sample: u32, counters: &mut Counters) -> Vec3 {
+    fn radiances(
+        &self,
+        sights: &[Sight],
+        samples: &[(Pixel, u32)],
+        counters: &mut Counters,
+        radiances: &mut [Vec3],
+    ) {
+        let whitted = &self.whitted;
         match &self.lights {
-            None => self.whitted.radiance(sight, counters, &mut NoRecord),
+            None => {
+                let mut lamps: Vec<Centres> = sights.iter().map(|_| Centres).collect();
+                whitted.radiances(sights, &mut lamps, counters, &mut NoRecord, radiances);
+            }
             Some(lights) => {
-                let mut lamps = lights.of_sample(pixel, sample);
-                self.whitted.radiance_of(sight, &mut lamps, counters, &mut NoRecord)
+                let of_sample = |(pixel, sample): &(Pixel, u32)| lights.of_sample(*pixel, *sample);
+                let mut lamps: Vec<_> = samples.iter().map(of_sample).collect();
+                whitted.radiances(sights, &mut lamps, counters, &mut NoRecord, radiances);
             }
         }
     }

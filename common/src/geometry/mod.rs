@@ -17,7 +17,7 @@ mod uv;
 pub use build::GeometryError;
 pub use placed::PlacedMesh;
 pub use smooth::facing;
-pub use surface::Surface;
+pub use surface::{Departure, Surface};
 
 use crate::counters::Counters;
 use crate::math::{Bounds, Interval, Vec3};

@@ -45,12 +45,34 @@ impl Surface {
     /// The distance comes from the error bound of this point (Ray Tracing Gems, chapter 6;
     /// Pharr et al., PBR 4th ed., 6.8), there is no fixed epsilon: the start lies strictly on
     /// its side of the surface, so a plane or a convex shape cannot hit itself.
+    #[inline]
     pub fn leave(&self, direction: DVec3) -> Vec3 {
+        self.departure().towards(direction)
+    }
+
+    /// Where rays start that leave this point, for whoever sends several.
+    pub fn departure(&self) -> Departure {
         let n = self.geometric_normal;
-        let side = if n.dot(direction) < 0.0 { -n } else { n };
         // Twice the bound: once for the surface, once for the rounding of the start itself.
         let away = 2.0 * sum3(n.x.abs() * self.error.x, n.y.abs() * self.error.y, n.z.abs() * self.error.z);
-        (self.point + side * away).as_vec3()
+        let beside = |side: DVec3| (self.point + side * away).as_vec3();
+        Departure { normal: n, front: beside(n), back: beside(-n) }
+    }
+}
+
+/// The two places beside a surface point where rays start; see [`Surface::leave`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Departure {
+    normal: DVec3,
+    front: Vec3,
+    back: Vec3,
+}
+
+impl Departure {
+    /// The one on the side that a direction points to.
+    #[inline]
+    pub fn towards(&self, direction: DVec3) -> Vec3 {
+        if self.normal.dot(direction) < 0.0 { self.back } else { self.front }
     }
 }
 

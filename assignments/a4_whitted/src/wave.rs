@@ -1,0 +1,213 @@
+//! A4T2, A4T3: the recursion of mirrored and refracted rays, without recursion.
+//!
+//! Rays are followed generation by generation, those of many camera rays together: all rays of a
+//! generation are sent at once, then all shadow rays from what they hit, light by light. Structures
+//! that follow several rays at a time like that. Radiance is linear, so a ray needs only its own
+//! factor and the owner, the camera ray whose radiance it adds to.
+
+use crate::interface::{crossing, mirrored_direction, opaque_mirror, panes};
+use crate::shadow::{Asked, ShadowRays};
+use crate::{RayKind, Recorder, Whitted};
+use a1_ray_casting::{Mixture, Sight};
+use a2_transforms::Lamps;
+use common::counters::Counters;
+use common::geometry::{Departure, Hit, Surface};
+use common::math::{DVec3, Interval, Vec3};
+use common::ray::Ray;
+use common::scene::PhongMaterial;
+
+/// An owner with more rays than this in one generation is finished alone, last rays first, so that
+/// memory is needed for the depth of its tree and not for its width.
+const WIDE: usize = 64;
+
+/// A ray still to be followed.
+#[derive(Clone, Copy)]
+pub struct Branch<I> {
+    ray: Ray,
+    kind: RayKind,
+    depth: u32,
+    weight: f32,
+    throughput: Vec3,
+    owner: u32,
+    parent: I,
+}
+
+/// The rays of one generation, mirrored ones first.
+struct Generation<I> {
+    mirrored: Vec<Branch<I>>,
+    refracted: Vec<Branch<I>>,
+}
+
+/// Camera rays on the way to their radiance.
+pub struct Wave<'a, 'w, R: Recorder, L: Lamps> {
+    /// Scene, structure and rules.
+    pub whitted: &'a Whitted<'w>,
+    /// Where light comes from, by owner.
+    pub lamps: &'a mut [L],
+    /// Where rays and skips are counted.
+    pub counters: &'a mut Counters,
+    /// Who watches.
+    pub recorder: &'a mut R,
+    /// What has arrived, by owner.
+    pub radiances: &'a mut [Vec3],
+}
+
+impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
+    /// Follows camera rays and all that comes of them.
+    pub fn run(&mut self, sights: &[Sight]) {
+        let camera = |(owner, sight): (u32, &Sight)| Branch {
+            ray: sight.ray,
+            kind: RayKind::Camera,
+            depth: 0,
+            weight: 1.0,
+            throughput: Vec3::ONE,
+            owner,
+            parent: R::Id::default(),
+        };
+        let branches: Vec<_> = (0..).zip(sights).map(camera).collect();
+        let hits: Vec<_> = sights.iter().map(|sight| sight.hit).collect();
+        let mut next = self.follow(&branches, &hits, |i| sights[i].surface().copied());
+        let mut alone = Vec::new();
+        while !next.is_empty() {
+            set_aside_wide(&mut next, sights.len(), &mut alone);
+            next = self.send(&next);
+        }
+        for mut waiting in alone {
+            while !waiting.is_empty() {
+                let last = waiting.split_off(waiting.len().saturating_sub(WIDE));
+                waiting.extend(self.send(&last));
+            }
+        }
+    }
+
+    /// Traces rays and follows them.
+    fn send(&mut self, branches: &[Branch<R::Id>]) -> Vec<Branch<R::Id>> {
+        let rays: Vec<Ray> = branches.iter().map(|branch| branch.ray).collect();
+        let mut hits = vec![None; rays.len()];
+        self.counters.rays += rays.len() as u64;
+        let accel = self.whitted.accel;
+        accel.nearest_many(&rays, Interval::FORWARD, &mut hits, self.counters);
+        let geometry = accel.geometry();
+        self.follow(branches, &hits, |i| hits[i].map(|hit| geometry.surface(&rays[i], &hit)))
+    }
+
+    /// Adds what rays bring by themselves and by the lights; returns the rays that come of them.
+    fn follow(
+        &mut self,
+        branches: &[Branch<R::Id>],
+        hits: &[Option<Hit>],
+        surface: impl Fn(usize) -> Option<Surface>,
+    ) -> Vec<Branch<R::Id>> {
+        let whitted = self.whitted;
+        let mut next = Generation { mirrored: Vec::new(), refracted: Vec::new() };
+        let mut shadows = ShadowRays::new(whitted);
+        for (i, branch) in branches.iter().enumerate() {
+            let id = self.recorder.ray(branch.parent, branch.kind, &branch.ray, hits[i], branch.weight);
+            let radiance = &mut self.radiances[branch.owner as usize];
+            let (Some(hit), Some(surface)) = (hits[i], surface(i)) else {
+                *radiance += branch.throughput * whitted.scene.as_scene().background.color;
+                continue;
+            };
+            let mixture = whitted.scene.at(&surface);
+            let departure = surface.departure();
+            let incoming = branch.ray.direction.as_dvec3();
+            let throughput = branch.throughput * inside(&mixture, &surface, incoming, hit.t);
+            let at = Branch { throughput, parent: id, ..*branch };
+            if branch.depth < whitted.rules.bounces {
+                next.add(whitted, &at, &surface, &departure, &mixture, self.counters);
+            }
+            let reflect = |m: &PhongMaterial, n, l, v| whitted.phong.reflect(m, n, l, v);
+            let lamps = &mut self.lamps[branch.owner as usize];
+            let mut asked = Asked { whitted, lamps, counters: self.counters };
+            let own = whitted.light.gather(
+                &surface,
+                &mixture,
+                branch.ray.direction,
+                reflect,
+                &mut asked,
+                |look, light, reflected| {
+                    shadows.add(look, light, &surface, &departure, branch.owner, throughput * reflected, id)
+                },
+            );
+            *radiance += throughput * own;
+        }
+        shadows.send(self.radiances, self.counters, self.recorder);
+        next.mirrored.append(&mut next.refracted);
+        next.mirrored
+    }
+}
+
+/// Takes the rays of owners that have very many out of a generation; each owner's go together.
+fn set_aside_wide<I: Copy>(next: &mut Vec<Branch<I>>, owners: usize, alone: &mut Vec<Vec<Branch<I>>>) {
+    if next.len() <= WIDE {
+        return;
+    }
+    let mut counts = vec![0usize; owners];
+    next.iter().for_each(|branch| counts[branch.owner as usize] += 1);
+    for owner in (0..owners).filter(|owner| counts[*owner] > WIDE) {
+        alone.push(next.extract_if(.., |branch| branch.owner as usize == owner).collect());
+    }
+}
+
+impl<I: Copy> Generation<I> {
+    /// The mirrored ray of a surface point and the refracted ones. What is mixed of several
+    /// materials has one mirror, and a refracted ray for each index of refraction that light can
+    /// bend by.
+    fn add(
+        &mut self,
+        whitted: &Whitted,
+        at: &Branch<I>,
+        surface: &Surface,
+        departure: &Departure,
+        mixture: &Mixture,
+        counters: &mut Counters,
+    ) {
+        let (incoming, rules) = (at.ray.direction.as_dvec3(), &whitted.rules);
+        let fresnel = rules.fresnel;
+        let mut make = |kind, color: Vec3, direction: DVec3| {
+            let weight = at.weight * color.length();
+            if weight < rules.min_weight {
+                counters.skipped_below_weight += 1;
+                return None;
+            }
+            // The side is chosen for the direction that the ray really has, after rounding.
+            let direction = direction.as_vec3();
+            let ray = Ray::new(departure.towards(direction.as_dvec3()), direction);
+            Some(Branch { ray, kind, depth: at.depth + 1, weight, throughput: at.throughput * color, ..*at })
+        };
+        let mut mirrored = if fresnel { opaque_mirror(mixture) } else { mixture.blend(|m| m.reflective) };
+        let mut opaque = true;
+        for pane in panes(mixture, !rules.skip_black) {
+            opaque = false;
+            let crossing = crossing(incoming, surface, pane.index_of_refraction);
+            let mut color = pane.color;
+            if fresnel {
+                let reflectance = crossing.reflectance as f32;
+                mirrored += Vec3::splat(pane.share * reflectance);
+                color *= 1.0 - reflectance;
+            }
+            let refracted = crossing.refracted;
+            self.refracted.extend(refracted.and_then(|direction| make(RayKind::Refracted, color, direction)));
+        }
+        let skip_mirror = mirrored == Vec3::ZERO && rules.skip_black;
+        if !skip_mirror {
+            let direction = mirrored_direction(incoming, surface);
+            self.mirrored.extend(make(RayKind::Mirrored, mirrored, direction));
+        }
+        counters.skipped_black_secondary += u64::from(opaque) + u64::from(skip_mirror);
+    }
+}
+
+/// What Beer–Lambert absorption leaves of light that came through the body to this surface: a
+/// ray that meets a transparent surface from behind has travelled inside. Of a mixture each part
+/// leaves its own share.
+fn inside(mixture: &Mixture, surface: &Surface, incoming: DVec3, t: f32) -> Vec3 {
+    let leaves = incoming.dot(surface.geometric_normal) > 0.0;
+    if !leaves {
+        return Vec3::ONE;
+    }
+    mixture.blend(|m| match m.absorption == Vec3::ZERO {
+        true => Vec3::ONE,
+        false => (-m.absorption * t).exp(),
+    })
+}
