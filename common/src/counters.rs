@@ -21,6 +21,8 @@ pub struct Counters {
     pub skipped_shadow_behind: u64,
     /// Shadow rays not traced because the light gives nothing there.
     pub skipped_shadow_dark: u64,
+    /// Shadow rays not traced because they start inside a body that the light is outside of.
+    pub skipped_shadow_inside: u64,
     /// Mirrored and refracted rays not made because their colour is black.
     pub skipped_black_secondary: u64,
     /// Mirrored and refracted rays dropped by the cut-off weight.
@@ -46,6 +48,7 @@ impl AddAssign for Counters {
         self.exact_tests += other.exact_tests;
         self.skipped_shadow_behind += other.skipped_shadow_behind;
         self.skipped_shadow_dark += other.skipped_shadow_dark;
+        self.skipped_shadow_inside += other.skipped_shadow_inside;
         self.skipped_black_secondary += other.skipped_black_secondary;
         self.skipped_below_weight += other.skipped_below_weight;
         self.skipped_empty_tile += other.skipped_empty_tile;

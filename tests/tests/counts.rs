@@ -108,6 +108,22 @@ fn a4t1_lights_that_give_nothing() {
     assert_eq!(toiling.skipped_shadow_dark, 0);
 }
 
+/// From inside a ball or a gem, a light outside is always hidden by the body itself.
+#[test]
+fn a4t1_lights_outside_of_closed_bodies() {
+    let inside = "-size 100 100 -shadows -shade_back -bounces 4";
+    for scene in ["scenes/scene4_14_faceted_gem.txt", "scenes/scene4_09_transparent_sphere_2.0.txt"] {
+        let [skipping, toiling] = with_and_without(&workspace_file(scene), inside, Skip::Inside);
+        let lights = |c: &Counters| {
+            let skipped = c.skipped_shadow_behind + c.skipped_shadow_dark + c.skipped_shadow_inside;
+            c.shadow_rays + skipped
+        };
+        assert!(skipping.skipped_shadow_inside > 1000, "{scene}: {}", skipping.skipped_shadow_inside);
+        assert_eq!((lights(&skipping), skipping.rays), (lights(&toiling), toiling.rays), "{scene}");
+        assert_eq!(toiling.skipped_shadow_inside, 0);
+    }
+}
+
 #[test]
 fn a4t2_secondary_rays_of_black_weight() {
     let scene = workspace_file("scenes/scene4_04_reflective_sphere.txt");

@@ -79,13 +79,14 @@ impl Report {
         self.phases.iter().filter(|(name, _)| *name == phase).map(|(_, t)| t.as_secs_f64()).sum()
     }
 
-    fn skipped(&self) -> [(&'static str, u64); 6] {
+    fn skipped(&self) -> [(&'static str, u64); 7] {
         let c = &self.counters;
         [
             ("decided in double precision", c.exact_tests),
             ("skipped: camera rays of empty tiles", c.skipped_empty_tile),
             ("skipped: shadow rays, light behind", c.skipped_shadow_behind),
             ("skipped: shadow rays, light dark", c.skipped_shadow_dark),
+            ("skipped: shadow rays, inside a body", c.skipped_shadow_inside),
             ("skipped: secondary rays, black", c.skipped_black_secondary),
             ("dropped: secondary rays, weight", c.skipped_below_weight),
         ]

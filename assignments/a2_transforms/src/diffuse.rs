@@ -7,6 +7,7 @@ use common::math::Vec3;
 use common::scene::PhongMaterial;
 
 /// kd · max(0, N·L): the share of light that an ideally matt surface sends to every side.
+#[inline]
 pub fn diffuse(material: &PhongMaterial, normal: Vec3, to_light: Vec3, _to_viewer: Vec3) -> Vec3 {
     material.diffuse * normal.dot(to_light).max(0.0)
 }

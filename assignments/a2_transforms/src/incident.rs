@@ -24,10 +24,11 @@ pub struct Incident {
 }
 
 /// The light that arrives at `point` from one source. Light spheres send it from their centre.
+#[inline]
 pub fn incident(light: &LightSpec, point: DVec3) -> Incident {
     match light.kind {
         LightKind::Directional { direction } => {
-            let towards = -direction.normalize();
+            let towards = -direction;
             let source = Source::Direction(towards);
             Incident { direction: towards.as_vec3(), color: light.color, source }
         }
@@ -42,6 +43,7 @@ pub fn incident(light: &LightSpec, point: DVec3) -> Incident {
 }
 
 /// What is left of light at a distance: 1 / (a0 + a1·d + a2·d²), and 0 where that would not be a positive number.
+#[inline]
 pub fn falloff([a0, a1, a2]: [f32; 3], distance: f64) -> f32 {
     let denominator = f64::from(a0) + f64::from(a1) * distance + f64::from(a2) * distance * distance;
     if denominator > 0.0 { (1.0 / denominator) as f32 } else { 0.0 }
@@ -58,7 +60,7 @@ mod tests {
 
     #[test]
     fn a2t2_directional_light_travels_along_its_direction() {
-        let sun = light(LightKind::Directional { direction: DVec3::new(0.0, -2.0, 0.0) });
+        let sun = light(LightKind::Directional { direction: DVec3::NEG_Y });
         let arriving = incident(&sun, DVec3::splat(1e6));
         assert_eq!((arriving.direction, arriving.color), (Vec3::Y, sun.color));
     }

@@ -29,7 +29,12 @@ impl Phong {
             Specular::Blinn => normal.dot((to_light + to_viewer).normalize_or_zero()),
             Specular::Phong => (normal * (2.0 * normal.dot(to_light)) - to_light).dot(to_viewer),
         };
-        let highlight = cosine.max(0.0).powf(material.exponent) * normal.dot(to_light).max(0.0);
+        // Written so that NaN has no highlight.
+        let lit = normal.dot(to_light);
+        if !(cosine > 0.0 && lit > 0.0) && material.exponent > 0.0 {
+            return matt;
+        }
+        let highlight = cosine.max(0.0).powf(material.exponent) * lit.max(0.0);
         matt + material.specular * highlight
     }
 }

@@ -113,6 +113,7 @@ impl WhittedArgs {
                 fresnel: self.fresnel,
                 skip_behind: skips(Skip::Behind),
                 skip_dark: skips(Skip::Dark),
+                skip_inside: skips(Skip::Inside),
                 skip_black: skips(Skip::Black),
             },
         }

@@ -5,7 +5,7 @@ use a2_transforms::{Incident, Lamps, Source};
 use common::cli::Skip;
 use common::counters::Counters;
 use common::geometry::{Departure, Hit, Surface};
-use common::math::{Interval, Vec3};
+use common::math::{Bounds, Interval, Vec3};
 use common::ray::Ray;
 use common::scene::Scene;
 
@@ -18,6 +18,21 @@ pub struct Asked<'a, 'w, L: Lamps> {
     pub lamps: &'a mut L,
     /// Where skips are counted.
     pub counters: &'a mut Counters,
+    /// The box of a closed body, if the surface is seen from inside one.
+    pub body: Option<Bounds>,
+    /// Whether the body stands before the light that was looked at last.
+    pub blocked: bool,
+}
+
+/// Whether light comes to the inner side of a body's surface from outside its box.
+fn comes_through(light: &Incident, surface: &Surface, body: &Bounds) -> bool {
+    let outside = |p: Vec3| p.cmplt(body.min).any() || p.cmpgt(body.max).any();
+    let towards = match light.source {
+        Source::Direction(towards) => towards.as_vec3().as_dvec3(),
+        Source::Point(position) if outside(position.as_vec3()) => position - surface.point,
+        Source::Point(_) => return false,
+    };
+    surface.geometric_normal.dot(towards) < 0.0
 }
 
 impl<L: Lamps> Lamps for Asked<'_, '_, L> {
@@ -26,10 +41,19 @@ impl<L: Lamps> Lamps for Asked<'_, '_, L> {
     }
 
     fn look(&mut self, scene: &Scene, index: usize, surface: &Surface) -> Incident {
-        self.lamps.look(scene, index, surface)
+        let mut light = self.lamps.look(scene, index, surface);
+        self.blocked = self.body.is_some_and(|body| comes_through(&light, surface, &body));
+        if self.blocked {
+            light.color = Vec3::ZERO;
+        }
+        light
     }
 
     fn skip(&mut self, why: Skip) -> bool {
+        if self.blocked {
+            self.counters.skipped_shadow_inside += 1;
+            return true;
+        }
         let rules = &self.whitted.rules;
         let (skips, counter) = match why {
             Skip::Dark => (rules.skip_dark, &mut self.counters.skipped_shadow_dark),

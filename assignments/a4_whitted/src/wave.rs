@@ -118,7 +118,11 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
             }
             let reflect = |m: &PhongMaterial, n, l, v| whitted.phong.reflect(m, n, l, v);
             let lamps = &mut self.lamps[branch.owner as usize];
-            let mut asked = Asked { whitted, lamps, counters: self.counters };
+            let body = match whitted.skips_inside() && incoming.dot(surface.geometric_normal) > 0.0 {
+                true => whitted.accel.geometry().convex_body(surface.primitive),
+                false => None,
+            };
+            let mut asked = Asked { whitted, lamps, counters: self.counters, body, blocked: false };
             let own = whitted.light.gather(
                 &surface,
                 &mixture,

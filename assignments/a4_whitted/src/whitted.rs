@@ -26,6 +26,9 @@ pub struct Rules {
     pub skip_behind: bool,
     /// No shadow ray to lights that give nothing.
     pub skip_dark: bool,
+    /// No shadow ray from inside a closed body to lights outside: opaque as all surfaces are to
+    /// shadow rays, it would be blocked by the body itself.
+    pub skip_inside: bool,
     /// No secondary ray of black weight.
     pub skip_black: bool,
 }
@@ -46,6 +49,11 @@ pub struct Whitted<'a> {
 }
 
 impl Whitted<'_> {
+    /// Whether to look for bodies that block shadow rays from their inside.
+    pub(crate) fn skips_inside(&self) -> bool {
+        self.rules.skip_inside && self.rules.shadows && !self.rules.transparent_shadows
+    }
+
     /// Radiance that arrives along a camera ray whose nearest hit is known; all lights are points.
     pub fn radiance<R: Recorder>(&self, sight: &Sight, counters: &mut Counters, recorder: &mut R) -> Vec3 {
         let mut radiance = [Vec3::ZERO];

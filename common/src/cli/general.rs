@@ -98,6 +98,8 @@ pub enum Skip {
     Behind,
     /// Shadow rays towards lights that give nothing there
     Dark,
+    /// Shadow rays from inside a closed convex body towards lights outside
+    Inside,
     /// Mirrored and refracted rays of black weight
     Black,
 }

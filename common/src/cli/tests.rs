@@ -82,8 +82,8 @@ fn the_last_of_two_counts_with_a_warning() {
     let repeatable = parse_line("rt -input a -noskip tile -noskip dark").unwrap();
     assert_eq!(repeatable.warnings, [""; 0]);
     let general = repeatable.options.general;
-    let skips = [Skip::Tile, Skip::Behind, Skip::Dark, Skip::Black].map(|s| general.skips(s));
-    assert_eq!(skips, [false, true, false, true]);
+    let skips = [Skip::Tile, Skip::Behind, Skip::Dark, Skip::Inside, Skip::Black].map(|s| general.skips(s));
+    assert_eq!(skips, [false, true, false, true, true]);
 }
 
 #[test]

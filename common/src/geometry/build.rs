@@ -11,7 +11,7 @@ use crate::shape::ellipsoid::Ellipsoid;
 use crate::shape::plane::Plane;
 use crate::shape::sphere::Sphere;
 use std::collections::HashMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A shape that cannot be placed in the world.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -97,7 +97,16 @@ impl Geometry {
         let start = start.ok_or_else(|| error("this shape lies beyond the range of single precision"))?;
         let (smooth, uv) = (shared.smooth(shape, &to_world), shared.uv_map(shape, material, &to_world));
         let placed = shared.placed(shape, &to_world, start, first);
-        self.runs.push(Run { first, start: start as u32, kind, material, smooth, uv, placed });
+        self.runs.push(Run {
+            first,
+            start: start as u32,
+            kind,
+            material,
+            smooth,
+            uv,
+            placed,
+            body: OnceLock::new(),
+        });
         Ok(())
     }
 

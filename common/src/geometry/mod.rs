@@ -6,6 +6,7 @@
 //! `f32` once, so shared corners stay shared; spheres under similarities and planes under any
 //! map stay what they are; only a sphere under a general map keeps its matrix.
 
+mod body;
 mod build;
 mod placed;
 mod smooth;
@@ -27,6 +28,7 @@ use crate::shape::plane::{self, Plane};
 use crate::shape::sphere::{self, Sphere};
 use crate::shape::{ExactRay, triangle};
 use smooth::Smooth;
+use std::sync::OnceLock;
 use uv::UvMap;
 
 /// What traversal carries of a hit: the least from which all else can be worked out.
@@ -99,6 +101,8 @@ pub(crate) struct Run {
     pub uv: Option<Box<UvMap>>,
     /// The mesh that it is a copy of, if it is one.
     pub placed: Option<Box<PlacedMesh>>,
+    /// The body that it bounds if it is a mesh, once someone has asked.
+    pub body: OnceLock<Option<Bounds>>,
 }
 
 /// The arrays that primitives are kept in.

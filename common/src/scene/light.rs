@@ -19,7 +19,7 @@ pub struct LightSpec {
 pub enum LightKind {
     /// Parallel light.
     Directional {
-        /// The way the light travels, any length but zero.
+        /// The way the light travels, made a unit vector when it was read.
         direction: DVec3,
     },
     /// Light from one point.

@@ -53,7 +53,7 @@ impl<'a> Parser<'a> {
         let place = block.require(fields.place, place)?;
         let attenuation = fields.attenuation.unwrap_or([1.0, 0.0, 0.0]);
         let kind = match keyword.text {
-            "DirectionalLight" => LightKind::Directional { direction: place },
+            "DirectionalLight" => LightKind::Directional { direction: place.normalize() },
             "PointLight" => LightKind::Point { position: place, attenuation },
             _ => LightKind::Sphere {
                 center: place,
