@@ -140,7 +140,7 @@ impl Studio {
             TileRays::default,
             |shots, tile, counters: &mut Counters, out| {
                 self.aim(tile, shots);
-                let search = needs_hit && !self.skips(args, tile, counters);
+                let search = needs_hit && !self.skips(args, tile, tile.area() as u64, counters);
                 if search && !one_by_one {
                     accel.nearest_many(&shots.rays, self.camera.interval, &mut shots.hits, counters);
                 }
@@ -173,11 +173,12 @@ impl Studio {
         shots.hits.resize(shots.rays.len(), None);
     }
 
-    /// Whether the rays of a tile need not be traced; counts them either way.
-    fn skips(&self, args: &CastArgs, tile: Tile, counters: &mut Counters) -> bool {
+    /// Whether so many rays through a tile, none of them beside the middle of a lens, need not be
+    /// traced because they meet nothing; counts them either way.
+    pub fn skips(&self, args: &CastArgs, tile: Tile, rays: u64, counters: &mut Counters) -> bool {
         let skips = args.general.skips(Skip::Tile) && self.sees_nothing(tile);
         let counter = if skips { &mut counters.skipped_empty_tile } else { &mut counters.rays };
-        *counter += tile.area() as u64;
+        *counter += rays;
         skips
     }
 

@@ -13,7 +13,7 @@ mod normals;
 
 pub use args::{DiffuseArgs, Program};
 pub use diffuse::{DiffuseColor, diffuse};
-pub use incident::{Incident, Source, incident};
+pub use incident::{Incident, Source, falloff, incident};
 pub use local::{Centres, Lamps, LocalLight, Unshadowed, Visibility};
 pub use normals::Normals;
 

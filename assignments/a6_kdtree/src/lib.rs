@@ -141,11 +141,11 @@ fn draw_scene(
     step.draw(args, studio, scene, tracer.as_accel(), report)?;
     let build = tracer.build_time().unwrap_or_default();
     // The ray of -trace asks before rendering begins.
-    let waited = if args.grid.whitted.trace.is_some() { Duration::ZERO } else { build };
+    let mut waited = if args.grid.whitted.trace.is_some() { Duration::ZERO } else { build };
     for (phase, time) in &mut report.phases {
         match *phase {
             "build" => *time += build,
-            "render" => *time = time.saturating_sub(waited),
+            "render" => *time = time.saturating_sub(std::mem::take(&mut waited)),
             _ => {}
         }
     }

@@ -1,0 +1,207 @@
+//! A7T3: from patterns and rays to a film.
+
+use crate::aperture::Aperture;
+use crate::film::{Negative, Shares};
+use crate::filter::Kernel;
+use crate::sampler::{Pixel, Sampler, pair};
+use a1_ray_casting::{CastArgs, Sight, Studio};
+use common::accel::Accel;
+use common::camera::screen_position;
+use common::counters::Counters;
+use common::geometry::Hit;
+use common::math::Vec3;
+use common::picture::{Film, Size};
+use common::ray::Ray;
+use common::tiles::{Tile, for_each_tile};
+use std::ops::Range;
+use std::sync::Mutex;
+
+/// Rays that are traced together: enough for structures that follow many at a time, few enough
+/// for the caches.
+const TOGETHER: usize = 1024;
+
+/// The light that a camera ray finds.
+pub trait Shade: Sync {
+    /// Radiance along the ray of one sample of a pixel.
+    fn radiance(&self, sight: &Sight, pixel: Pixel, sample: u32, counters: &mut Counters) -> Vec3;
+}
+
+/// A sample as it comes back.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// Whose it is.
+    pub pixel: Pixel,
+    /// Its place from the pixel's lower left corner, in pixels.
+    pub at: [f64; 2],
+    /// What was seen there.
+    pub color: Vec3,
+}
+
+/// All that decides a sample's colour.
+pub struct Exposure<'a> {
+    /// Scene, camera and size.
+    pub studio: &'a Studio,
+    /// Flags that all programs have.
+    pub cast: &'a CastArgs,
+    /// What finds hits.
+    pub accel: &'a dyn Accel,
+    /// What is made of hits.
+    pub shade: &'a dyn Shade,
+    /// Where samples lie.
+    pub sampler: &'a dyn Sampler,
+    /// The lens's opening; without one rays pass its middle.
+    pub aperture: Option<Aperture>,
+    /// How samples add up; without one a pixel is the average of its own.
+    pub kernel: Option<Kernel>,
+}
+
+/// What a thread works with.
+#[derive(Default)]
+struct Desk {
+    samples: Vec<Sample>,
+    rays: Vec<Ray>,
+    hits: Vec<Option<Hit>>,
+    counters: Counters,
+}
+
+/// What else looks at the samples while they are there.
+pub type Watch<'a> = &'a (dyn Fn(&[Sample]) + Sync);
+
+impl Exposure<'_> {
+    /// A picture of so many samples in every pixel. `watch` is shown the samples of one pixel
+    /// after the other, in no order of pixels, if anyone wants to see them.
+    pub fn picture(&self, samples: u32, watch: Option<Watch>) -> (Film, Counters) {
+        let size = self.studio.size;
+        let (mut film, mut counters) = (Film::new(size), Counters::default());
+        let (mut negative, mut done) = (Negative::new(size, self.kernel), 0);
+        while done < size.height() {
+            let from = negative.end();
+            let to = from.saturating_add(negative.rows_at_a_time()).min(size.height());
+            negative.extend_to(to);
+            counters += self.expose(&mut negative, from..to, &|_| 0..samples, watch);
+            done = negative.develop(done, &mut film);
+        }
+        (film, counters)
+    }
+
+    /// Adds samples to the rows of a negative that are there: for every pixel those that `which`
+    /// names.
+    pub fn expose(
+        &self,
+        negative: &mut Negative,
+        rows: Range<u32>,
+        which: &(dyn Fn(Pixel) -> Range<u32> + Sync),
+        watch: Option<Watch>,
+    ) -> Counters {
+        let (width, height) = (self.studio.size.width(), rows.end - rows.start);
+        let Ok(part) = Size::new(i64::from(width), i64::from(height)) else { return Counters::default() };
+        let negative = Mutex::new(negative);
+        let options = self.cast.general.tile_options("rendering");
+        let finished = for_each_tile(part, &options, Desk::default, |desk, tile| {
+            let tile = Tile { y0: tile.y0 + rows.start, y1: tile.y1 + rows.start, ..tile };
+            let given = self.tile(tile, which, watch, desk);
+            // Held for the copy of one tile only, which is short beside computing it.
+            let mut negative = negative.lock().expect("adding does not panic");
+            given.iter().for_each(|((x, y), shares)| negative.add(*x, *y, shares));
+        });
+        let mut counters = Counters::default();
+        finished.states.iter().for_each(|desk| counters += desk.counters);
+        counters
+    }
+
+    /// What the samples of a tile give, pixel by pixel; pixels without samples are left out.
+    fn tile(
+        &self,
+        tile: Tile,
+        which: &(dyn Fn(Pixel) -> Range<u32> + Sync),
+        watch: Option<Watch>,
+        desk: &mut Desk,
+    ) -> Vec<(Pixel, Shares)> {
+        let rays: u64 = tile.pixels().map(|pixel| which(pixel).len() as u64).sum();
+        let search = match self.aperture {
+            None => !self.studio.skips(self.cast, tile, rays, &mut desk.counters),
+            Some(_) => {
+                desk.counters.rays += rays;
+                true
+            }
+        };
+        let mut given = Vec::new();
+        let mut waiting: Vec<(Pixel, Range<u32>)> = Vec::new();
+        let mut count = 0;
+        for pixel in tile.pixels() {
+            let range = which(pixel);
+            if range.is_empty() {
+                continue;
+            }
+            count += range.len();
+            waiting.push((pixel, range));
+            if count >= TOGETHER {
+                self.trace(&waiting, search, desk);
+                self.collect(&mut waiting, watch, desk, &mut given);
+                count = 0;
+            }
+        }
+        self.trace(&waiting, search, desk);
+        self.collect(&mut waiting, watch, desk, &mut given);
+        given
+    }
+
+    /// Traces and shades samples, which are left on the desk in order.
+    fn trace(&self, wanted: &[(Pixel, Range<u32>)], search: bool, desk: &mut Desk) {
+        desk.samples.clear();
+        desk.rays.clear();
+        for (pixel, sample) in every_sample(wanted) {
+            let at = self.sampler.pair(pixel, sample, pair::PIXEL);
+            desk.samples.push(Sample { pixel, at, color: Vec3::ZERO });
+            desk.rays.push(self.ray(pixel, sample, at));
+        }
+        desk.hits.clear();
+        desk.hits.resize(desk.rays.len(), None);
+        if search {
+            let interval = self.studio.camera.interval;
+            self.accel.nearest_many(&desk.rays, interval, &mut desk.hits, &mut desk.counters);
+        }
+        for (i, (pixel, sample)) in every_sample(wanted).enumerate() {
+            let sight = Sight::new(&self.studio.geometry, desk.rays[i], desk.hits[i]);
+            desk.samples[i].color = self.shade.radiance(&sight, pixel, sample, &mut desk.counters);
+        }
+    }
+
+    fn ray(&self, (x, y): Pixel, sample: u32, at: [f64; 2]) -> Ray {
+        let (camera, size) = (&self.studio.camera, self.studio.size);
+        let position = screen_position(size, f64::from(x) + at[0], f64::from(y) + at[1]);
+        match self.aperture {
+            None => camera.ray(position),
+            Some(aperture) => {
+                let uv = self.sampler.pair((x, y), sample, pair::LENS);
+                camera.ray_through_lens(position, aperture.point(uv))
+            }
+        }
+    }
+
+    /// Adds up the samples on the desk, pixel by pixel.
+    fn collect(
+        &self,
+        wanted: &mut Vec<(Pixel, Range<u32>)>,
+        watch: Option<Watch>,
+        desk: &Desk,
+        given: &mut Vec<(Pixel, Shares)>,
+    ) {
+        let mut samples = &desk.samples[..];
+        for (pixel, range) in wanted.drain(..) {
+            let (own, rest) = samples.split_at(range.len());
+            samples = rest;
+            let mut shares = Shares::new(self.kernel);
+            own.iter().for_each(|sample| shares.add(sample.at, sample.color));
+            if let Some(watch) = watch {
+                watch(own);
+            }
+            given.push((pixel, shares));
+        }
+    }
+}
+
+/// Pixel after pixel, sample after sample.
+fn every_sample(wanted: &[(Pixel, Range<u32>)]) -> impl Iterator<Item = (Pixel, u32)> + '_ {
+    wanted.iter().flat_map(|(pixel, range)| range.clone().map(|sample| (*pixel, sample)))
+}

@@ -1,0 +1,7 @@
+//! Pictures of patterns and kernels.
+
+mod kernel;
+mod samples;
+
+pub use kernel::kernel_picture;
+pub use samples::{SamplesPicture, zoomed};
