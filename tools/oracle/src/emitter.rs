@@ -1,4 +1,4 @@
-//! Emissive surfaces as lights: triangles and spheres, cut into small pieces.
+//! Emissive surfaces as lights: triangles, spheres and discs, cut into small pieces.
 
 use crate::World;
 use crate::light::Arriving;
@@ -39,8 +39,8 @@ impl Patch {
 /// A piece in the space of its object: triangle number, middle, and vector area.
 type Piece = (usize, DVec3, DVec3);
 
-/// The pieces of an object, `side`² for each triangle or sphere; none for planes, which give
-/// light only to those who look at them.
+/// The pieces of an object, `side`² for each triangle, sphere or disc; none for planes without
+/// end, which give light only to those who look at them.
 pub(crate) fn patches(world: &World, object: &Object, side: u32) -> Vec<Patch> {
     let linear = DMat3::from_mat4(object.to_world);
     // Area vectors transform with the cofactors of the matrix. A mirroring one turns them round,
@@ -56,7 +56,14 @@ pub(crate) fn patches(world: &World, object: &Object, side: u32) -> Vec<Patch> {
 
 fn pieces(shape: &Shape, side: u32) -> Vec<Piece> {
     match shape {
-        Shape::Plane(_) => Vec::new(),
+        Shape::Plane(plane) => {
+            let Some(disc) = plane.disc else { return Vec::new() };
+            let area = PI * disc.radius * disc.radius / f64::from(side * side) * plane.normal;
+            let (across, upward) = plane.normal.any_orthonormal_pair();
+            // Areas grow with the square of the radius.
+            let aside = grid(side).map(|[u, v]| u.sqrt() * on_sphere(0.0, v));
+            aside.map(|p| (0, disc.center + disc.radius * (p.x * across + p.y * upward), area)).collect()
+        }
         Shape::Sphere(sphere) => {
             let area = 4.0 * PI * sphere.radius * sphere.radius / f64::from(side * side);
             // Equal steps of height cut a sphere into equal areas (Archimedes).

@@ -74,7 +74,7 @@ impl World {
     }
 
     /// The same world with lights that have an extent: spherical lights are cut into `side`²
-    /// directions, every emissive triangle and sphere into as many pieces. With 1 nothing changes.
+    /// directions, every emissive triangle, sphere and disc into as many pieces. With 1 nothing changes.
     pub fn with_extended_lights(mut self, side: u32) -> Self {
         if side > 1 {
             self.light_side = side;
