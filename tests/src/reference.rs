@@ -8,7 +8,9 @@ use crate::{CommandLine, Picture, PictureKind, workspace_file};
 use common::math::{DVec3, Vec3};
 use common::picture::{Film, PictureError, Size, Transfer, read, write};
 use common::scene::{self, Scene};
-use oracle::{CellPicture, Filter, GridFit, Model, Options, OracleError, Raster, filter_picture, samples_picture};
+use oracle::{
+    CellPicture, Filter, GridFit, Model, Options, OracleError, Raster, filter_picture, samples_picture,
+};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 

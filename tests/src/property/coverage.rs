@@ -90,7 +90,10 @@ fn integral(kernel: Kernel, region: Region) -> f64 {
 fn half_side(kernel: Kernel) -> f64 {
     let reach = match kernel {
         Kernel::Gaussian(sigma) => 2.0 * sigma,
-        Kernel::Box(r) | Kernel::Tent(r) | Kernel::Mitchell(r) | Kernel::Lanczos(r)
+        Kernel::Box(r)
+        | Kernel::Tent(r)
+        | Kernel::Mitchell(r)
+        | Kernel::Lanczos(r)
         | Kernel::BlackmanHarris(r) => r,
     };
     (reach - 0.5).ceil().max(0.0) + 0.5

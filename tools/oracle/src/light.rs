@@ -35,7 +35,9 @@ impl Light {
     pub fn new(spec: &LightSpec) -> Self {
         let kind = match spec.kind {
             LightKind::Directional { direction } => Kind::Directional(-direction.normalize()),
-            LightKind::Point { position, attenuation } => Kind::Ball(position, 0.0, attenuation.map(f64::from)),
+            LightKind::Point { position, attenuation } => {
+                Kind::Ball(position, 0.0, attenuation.map(f64::from))
+            }
             LightKind::Sphere { center, radius, attenuation } => {
                 Kind::Ball(center, radius, attenuation.map(f64::from))
             }

@@ -22,7 +22,9 @@ fn floor(light_side: u32, shadows: bool, lights: &str, objects: &str) -> DVec3 {
 }
 
 fn ball(center: &str) -> String {
-    format!("Lights {{ numLights 1 SphereLight {{ center {center} radius 0.5 color 1 2 3 attenuation 0 0 1 }} }}")
+    format!(
+        "Lights {{ numLights 1 SphereLight {{ center {center} radius 0.5 color 1 2 3 attenuation 0 0 1 }} }}"
+    )
 }
 
 #[test]

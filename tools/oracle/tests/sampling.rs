@@ -3,7 +3,9 @@
 mod support;
 
 use common::math::DVec3;
-use oracle::{Filter, Options, Samples, View, filter_picture, pixel_places, render, samples, samples_picture};
+use oracle::{
+    Filter, Options, Samples, View, filter_picture, pixel_places, render, samples, samples_picture,
+};
 use support::{close, near, scene, simple};
 
 /// A board of unit squares, seen from straight above: pixels are as large as squares.
@@ -179,9 +181,13 @@ fn a_curved_screen_is_in_focus_on_a_sphere() {
 
 #[test]
 fn a_lens_of_one_place_is_a_pinhole() {
-    let text = |lens: &str| format!("PerspectiveCamera {{ center 0 0 9 direction 0 0 -1 up 0 1 0 angle 40 {lens} }}
+    let text = |lens: &str| {
+        format!(
+            "PerspectiveCamera {{ center 0 0 9 direction 0 0 -1 up 0 1 0 angle 40 {lens} }}
         Materials {{ numMaterials 1 Material {{ }} }}
-        Group {{ numObjects 1 MaterialIndex 0 Sphere {{ center 0 0 0 radius 2 }} }}");
+        Group {{ numObjects 1 MaterialIndex 0 Sphere {{ center 0 0 0 radius 2 }} }}"
+        )
+    };
     let drawn = |lens: &str, lens_side: u32| {
         let options = Options { width: 40, height: 40, lens_side, ..Options::default() };
         render(&scene(&text(lens)), &options).unwrap().colour

@@ -18,7 +18,8 @@ const LINES: DVec3 = DVec3::Z;
 /// A `zoom` of 0, or one that makes the picture too large.
 pub fn samples_picture(samples: &Samples, zoom: u32) -> Result<Raster, OracleError> {
     let (width, height) = enlarged(samples.width, samples.height, zoom, 0)?;
-    let cell = |x: u32, y: u32| if (x / zoom + y / zoom).is_multiple_of(2) { BRIGHT_CELL } else { DVec3::ZERO };
+    let cell =
+        |x: u32, y: u32| if (x / zoom + y / zoom).is_multiple_of(2) { BRIGHT_CELL } else { DVec3::ZERO };
     let mut picture = from_fn(width, height, cell);
     let places = pixel_places(samples.side);
     for (i, j) in (0..samples.height).flat_map(|j| (0..samples.width).map(move |i| (i, j))) {
@@ -68,8 +69,7 @@ pub fn filter_picture(options: &Options, zoom: u32) -> Result<Raster, OracleErro
 
 /// The weight in a pixel of the picture of the filter, in parts of that at its centre.
 fn grey(filter: Filter, center: [u32; 2], at: [u32; 2], zoom: u32) -> DVec3 {
-    let offset =
-        |k: usize| (f64::from(at[k]) + 0.5) / f64::from(zoom) - (f64::from(center[k]) + 0.5);
+    let offset = |k: usize| (f64::from(at[k]) + 0.5) / f64::from(zoom) - (f64::from(center[k]) + 0.5);
     DVec3::splat(filter.weight(offset(0), offset(1)) / filter.weight(0.0, 0.0))
 }
 
