@@ -131,6 +131,42 @@ fn pictures_by_chance_are_as_far_off_as_their_samples_allow() {
     assert_eq!(seen, 14, "command lines");
 }
 
+/// Scenes with a lens, a curved screen or lights that have an extent, and the flags they want.
+/// Samples stand where the oracle's do, unless a lens needs more.
+const EFFECTS: [(&str, &str); 6] = [
+    ("scene7_10_soft_shadow.txt", "-uniform_samples 64 -light_samples 64 -shadows"),
+    ("scene7_11_area_light.txt", "-uniform_samples 64 -light_samples 64 -shadows"),
+    ("scene7_12_depth_of_field.txt", "-samples 1024 -shadows"),
+    ("scene7_12_depth_of_field.txt", "-samples 1024 -shadows -blades 3"),
+    ("scene7_14_curved_screen.txt", "-uniform_samples 64 -shadows"),
+    ("scene7_15_absorption.txt", "-uniform_samples 64 -shadows -bounces 3 -fresnel"),
+];
+
+/// Many samples come to what the oracle finds with a grid over pixel, lens and lights.
+#[test]
+fn effects_are_those_of_the_oracle() {
+    for (scene_name, flags) in EFFECTS {
+        let words = format!("a7_sampling -input scenes/{scene_name} -size 24 24 -output picture.pfm {flags}");
+        let words = words.split_whitespace().map(str::to_owned).collect();
+        let line = CommandLine { assignment: 7, line: 0, words };
+        let (pixel_side, lens_side, light_side, fresnel) = (8, 8, 8, line.has("-fresnel"));
+        let wanted = Options { pixel_side, lens_side, light_side, fresnel, ..reference::options(&line) };
+        let mut scene = scene::load(&line.scene_file()).unwrap_or_else(|error| panic!("{line}\n{error}"));
+        if let (Some(lens), Some([blades])) = (&mut scene.camera.lens, line.numbers("-blades")) {
+            lens.blades = Some(blades);
+        }
+        let exact = oracle::render(&scene, &wanted).unwrap_or_else(|error| panic!("{line}\n{error}")).colour;
+        let film = drawn(&line, PictureKind::Color, 0);
+        let pairs = film.pixels().iter().zip(&exact.pixels);
+        let off: Vec<DVec3> = pairs.map(|(ours, exact)| ours.as_dvec3() - *exact).collect();
+        let n = off.len() as f64;
+        let rmse = (off.iter().map(|d| d.length_squared()).sum::<f64>() / (3.0 * n)).sqrt();
+        let bias = (off.iter().sum::<DVec3>() / n).abs().max_element();
+        println!("rmse {rmse:.5}, bias {bias:.5}: {line}");
+        assert!(rmse < 0.01 && bias < 0.001, "{line}\n  rmse {rmse}, bias {bias}");
+    }
+}
+
 /// Least and greatest colour of a pixel's fine samples, in levels, with some room for what lies
 /// between them.
 fn range(fine: &[DVec3]) -> (Vec3, Vec3) {
