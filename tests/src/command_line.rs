@@ -21,7 +21,7 @@ pub struct CommandLine {
 }
 
 /// What a picture shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum PictureKind {
     /// `-output`
     Color,
@@ -29,6 +29,10 @@ pub enum PictureKind {
     Depth,
     /// `-normals`
     Normals,
+    /// `-render_samples`
+    Samples,
+    /// `-render_filter`
+    Filter,
 }
 
 /// A picture that a command line writes.
@@ -69,9 +73,14 @@ impl CommandLine {
     }
 
     /// All command lines whose pictures have references, in order: those of all ray-tracing
-    /// assignments that have programs.
+    /// assignments that have programs, but for those that leave samples to chance.
     pub fn with_references() -> Vec<Self> {
-        (1..=6).flat_map(Self::of_assignment).collect()
+        (1..=7).flat_map(Self::of_assignment).filter(|line| !line.leaves_to_chance()).collect()
+    }
+
+    /// Whether the line has random or jittered samples, which no rule determines.
+    pub fn leaves_to_chance(&self) -> bool {
+        self.has("-random_samples") || self.has("-jittered_samples")
     }
 
     /// Whether a flag is given.
@@ -116,7 +125,9 @@ impl CommandLine {
         let color = self.values("-output").map(|[file]| (PictureKind::Color, file));
         let depth = self.values("-depth").map(|[_, _, file]| (PictureKind::Depth, file));
         let normals = self.values("-normals").map(|[file]| (PictureKind::Normals, file));
-        let found = [color, depth, normals].into_iter().flatten();
+        let samples = self.values("-render_samples").map(|[file, _]| (PictureKind::Samples, file));
+        let filter = self.values("-render_filter").map(|[file, _]| (PictureKind::Filter, file));
+        let found = [color, depth, normals, samples, filter].into_iter().flatten();
         found.map(|(kind, file)| Picture { kind, file: file.to_owned() }).collect()
     }
 
@@ -148,8 +159,10 @@ impl CommandLine {
         if let Some([min, max, file]) = self.values("-depth") {
             line = line.with("-depth", &[min, max, &into(file)]);
         }
-        if let Some([file]) = self.values("-normals") {
-            line = line.with("-normals", &[&into(file)]);
+        for flag in ["-normals", "-render_samples", "-render_filter"] {
+            if let Some([file]) = self.values(flag) {
+                line = line.with(flag, &[&into(file)]);
+            }
         }
         line
     }

@@ -4,6 +4,7 @@
 //! * [`program`]: runs one of them inside the test process, its pictures in a folder of choice;
 //! * [`mod@reference`]: draws the same pictures with the double-precision oracle, and keeps them in
 //!   `tests/references`;
+//! * [`chance`]: what pictures of random samples must look like;
 //! * [`property`]: trials, oracles and shapes of the numbered properties;
 //! * [`stage`]: renders scenes through any structure, for comparisons to the last bit;
 //! * [`binary`] and [`mod@battery`]: run the real programs, on good and on hostile input. The
@@ -11,6 +12,7 @@
 
 pub mod battery;
 pub mod binary;
+pub mod chance;
 mod command_line;
 pub mod cost;
 pub mod program;

@@ -18,7 +18,7 @@ pub fn parsed_words<P: Parser>(words: &[String]) -> P {
     }
 }
 
-/// Runs a command line of assignments 1 to 6, its pictures going into `folder`. `-gui` is left
+/// Runs a command line of assignments 1 to 7, its pictures going into `folder`. `-gui` is left
 /// out: a test opens no windows.
 ///
 /// # Errors
@@ -34,6 +34,7 @@ pub fn run(line: &CommandLine, folder: &Path) -> Result<(), AppError> {
         4 => a4_whitted::run(&parsed_words::<a4_whitted::Program>(&line.words).args),
         5 => a5_grid::run(&parsed_words::<a5_grid::Program>(&line.words).args),
         6 => a6_kdtree::run(&parsed_words::<a6_kdtree::Program>(&line.words).args),
+        7 => a7_sampling::run(&parsed_words::<a7_sampling::Program>(&line.words).args),
         other => Err(AppError::Usage(format!("assignment {other} draws no such pictures"))),
     }
 }

@@ -7,8 +7,11 @@
 use crate::{CommandLine, Picture, PictureKind, workspace_file};
 use common::math::{DVec3, Vec3};
 use common::picture::{Film, PictureError, Size, Transfer, read, write};
-use common::scene;
-use oracle::{CellPicture, GridFit, Model, Options, Raster};
+use common::scene::{self, Scene};
+use oracle::{
+    CellPicture, Filter, GridFit, Model, Options, OracleError, Raster, filter_picture, samples_picture,
+};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// Where references are kept.
@@ -54,8 +57,16 @@ pub fn options(line: &CommandLine) -> Options {
         depth: line.values("-depth").map(|[min, max, _]| (number(min), number(max))),
         normals: line.has("-normals"),
         grid: line.numbers("-grid").filter(|_| shows_cells).map(cells),
+        pixel_side: line.numbers("-uniform_samples").map_or(1, |[n]: [u32; 1]| n.isqrt()),
+        filter: filter(line),
         ..Options::default()
     }
+}
+
+fn filter(line: &CommandLine) -> Option<Filter> {
+    let of = |flag, make: fn(f64) -> Filter| line.numbers(flag).map(|[radius]| make(radius));
+    let (r#box, tent) = (of("-box_filter", Filter::Box), of("-tent_filter", Filter::Tent));
+    r#box.or(tent).or(of("-gaussian_filter", Filter::Gaussian))
 }
 
 fn number(text: &str) -> f64 {
@@ -81,14 +92,32 @@ pub fn drawn(line: &CommandLine) -> Vec<(Picture, Film)> {
         return Vec::new();
     }
     let scene = scene::load(&line.scene_file()).unwrap_or_else(|error| panic!("{line}\n{error}"));
-    let rasters = oracle::render(&scene, &options(line)).unwrap_or_else(|error| panic!("{line}\n{error}"));
-    let raster = |kind| match kind {
-        PictureKind::Color => Some(&rasters.colour),
-        PictureKind::Depth => rasters.depth.as_ref(),
-        PictureKind::Normals => rasters.normals.as_ref(),
-    };
-    let film = |picture: &Picture| film(raster(picture.kind).expect("the options ask for it"));
+    let rasters = rasters(line, &scene).unwrap_or_else(|error| panic!("{line}\n{error}"));
+    let film = |picture: &Picture| film(&rasters[&picture.kind]);
     pictures.into_iter().map(|picture| (picture.clone(), film(&picture))).collect()
+}
+
+/// What the oracle draws for a line, more than what is asked for where that comes along.
+fn rasters(line: &CommandLine, scene: &Scene) -> Result<BTreeMap<PictureKind, Raster>, OracleError> {
+    let (options, mut all) = (options(line), BTreeMap::new());
+    if let Some([_, zoom]) = line.values("-render_filter") {
+        all.insert(PictureKind::Filter, filter_picture(&options, zoom_factor(zoom))?);
+    }
+    if let Some([_, zoom]) = line.values("-render_samples") {
+        let samples = oracle::samples(scene, &options)?;
+        all.insert(PictureKind::Samples, samples_picture(&samples, zoom_factor(zoom))?);
+    }
+    if line.pictures().iter().any(|picture| !all.contains_key(&picture.kind)) {
+        let drawn = oracle::render(scene, &options)?;
+        all.insert(PictureKind::Color, drawn.colour);
+        all.extend(drawn.depth.map(|raster| (PictureKind::Depth, raster)));
+        all.extend(drawn.normals.map(|raster| (PictureKind::Normals, raster)));
+    }
+    Ok(all)
+}
+
+fn zoom_factor(text: &str) -> u32 {
+    text.parse().unwrap_or_else(|_| panic!("`{text}` is no number"))
 }
 
 /// The levels of the oracle's colours. Quantised before the rounding to single precision, which

@@ -7,6 +7,7 @@
 //! `PROPERTY_FACTOR=30` runs thirty times as many trials, `PROPERTY_SEED=7` runs others.
 
 mod agreement;
+mod coverage;
 mod dyadic;
 mod march_oracle;
 mod meshes;
@@ -19,6 +20,7 @@ mod winding;
 mod worlds;
 
 pub use agreement::{Named, agree, grid_of, structures};
+pub use coverage::{Region, coverage};
 pub use dyadic::Dyadic;
 pub use march_oracle::cells_crossed;
 pub use meshes::{closed_meshes, convex_sphere, fan, file_mesh, lattice_sphere, lumpy_sphere};

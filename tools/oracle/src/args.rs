@@ -2,10 +2,10 @@
 
 use common::cli::{AppError, GeneralArgs};
 use common::picture::Size;
-use oracle::{CellPicture, GridFit, Model, Options, Specular};
+use oracle::{CellPicture, Filter, GridFit, Model, Options, Specular};
 use std::path::PathBuf;
 
-/// The flags of assignments 1 to 6. Those of the window and the preview are accepted and have
+/// The flags of assignments 1 to 7, but for patterns of samples with chance in them. Those of the window and the preview are accepted and have
 /// no effect, so that every command line of the course can be given as it is.
 #[derive(Clone, Debug, clap::Args)]
 #[command(rename_all = "snake_case", next_help_heading = "Pictures")]
@@ -30,7 +30,7 @@ pub struct Args {
     #[arg(long, value_name = "PICTURE")]
     pub normals: Option<PathBuf>,
 
-    /// Lighting model of assignment 1, 2, 3, or 4 to 6
+    /// Lighting model of assignment 1, 2, 3, or 4 to 7
     #[arg(long, value_enum, default_value_t)]
     model: ModelName,
 
@@ -74,6 +74,42 @@ pub struct Args {
     #[arg(long, value_name = "RULE", value_enum, default_value_t)]
     grid_fit: FitName,
 
+    /// Samples per pixel at the centres of a grid's cells; N a square
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    uniform_samples: u32,
+
+    /// Weight samples alike in a square of this half side, in pixels
+    #[arg(long, value_name = "R", group = "filter")]
+    box_filter: Option<f64>,
+
+    /// Weight samples by a cone of this radius, in pixels
+    #[arg(long, value_name = "R", group = "filter")]
+    tent_filter: Option<f64>,
+
+    /// Weight samples by a bell of this σ, in pixels
+    #[arg(long, value_name = "SIGMA", group = "filter")]
+    gaussian_filter: Option<f64>,
+
+    /// Picture of the samples, enlarged ZOOM times
+    #[arg(long, num_args = 2, value_names = ["PICTURE", "ZOOM"])]
+    render_samples: Option<Vec<String>>,
+
+    /// Picture of the filter, enlarged ZOOM times
+    #[arg(long, num_args = 2, value_names = ["PICTURE", "ZOOM"], requires = "filter")]
+    render_filter: Option<Vec<String>>,
+
+    /// Rays through the lens for each sample; N a square
+    #[arg(long, value_name = "N", default_value_t = 256)]
+    lens_samples: u32,
+
+    /// Pieces of each light that has an extent; N a square
+    #[arg(long, value_name = "N", default_value_t = 256)]
+    light_samples: u32,
+
+    /// Lights with an extent shine from their centres, emissive surfaces do not light others
+    #[arg(long)]
+    hard_lights: bool,
+
     /// No effect: the oracle has no window
     #[arg(long)]
     gui: bool,
@@ -99,7 +135,7 @@ enum ModelName {
     Diffuse,
     /// Assignment 3
     Phong,
-    /// Assignments 4 to 6
+    /// Assignments 4 to 7
     #[default]
     Whitted,
 }
@@ -128,7 +164,41 @@ pub struct Depth {
     pub file: PathBuf,
 }
 
+/// What `-render_samples` and `-render_filter` say.
+pub struct Enlarged {
+    pub file: PathBuf,
+    pub zoom: u32,
+}
+
+/// The side of a square number of samples.
+fn side(flag: &str, samples: u32) -> Result<u32, AppError> {
+    let side = samples.isqrt();
+    let wrong = || AppError::Usage(format!("-{flag} wants a square number above 0, not {samples}"));
+    (samples > 0 && side * side == samples).then_some(side).ok_or_else(wrong)
+}
+
+fn enlarged(flag: &str, words: Option<&[String]>) -> Result<Option<Enlarged>, AppError> {
+    let Some([file, zoom]) = words else { return Ok(None) };
+    let wrong = |_| AppError::Usage(format!("-{flag} wants a whole number to enlarge by, not `{zoom}`"));
+    Ok(Some(Enlarged { file: PathBuf::from(file), zoom: zoom.parse().map_err(wrong)? }))
+}
+
 impl Args {
+    /// The picture of samples, if asked for.
+    pub fn samples_picture(&self) -> Result<Option<Enlarged>, AppError> {
+        enlarged("render_samples", self.render_samples.as_deref())
+    }
+
+    /// The picture of the filter, if asked for.
+    pub fn filter_picture(&self) -> Result<Option<Enlarged>, AppError> {
+        enlarged("render_filter", self.render_filter.as_deref())
+    }
+
+    fn filter(&self) -> Option<Filter> {
+        let r#box = self.box_filter.map(Filter::Box);
+        r#box.or(self.tent_filter.map(Filter::Tent)).or(self.gaussian_filter.map(Filter::Gaussian))
+    }
+
     /// The depth picture, if asked for.
     pub fn depth(&self) -> Result<Option<Depth>, AppError> {
         let Some([min, max, file]) = self.depth.as_deref() else { return Ok(None) };
@@ -141,8 +211,8 @@ impl Args {
     }
 
     /// What to draw.
-    pub fn options(&self, size: Size, depth: Option<(f64, f64)>) -> Options {
-        Options {
+    pub fn options(&self, size: Size, depth: Option<(f64, f64)>) -> Result<Options, AppError> {
+        Ok(Options {
             width: size.width(),
             height: size.height(),
             model: match self.model {
@@ -164,7 +234,11 @@ impl Args {
             depth,
             normals: self.normals.is_some(),
             grid: self.cell_picture(),
-        }
+            pixel_side: side("uniform_samples", self.uniform_samples)?,
+            filter: self.filter(),
+            lens_side: side("lens_samples", self.lens_samples)?,
+            light_side: if self.hard_lights { 1 } else { side("light_samples", self.light_samples)? },
+        })
     }
 
     fn cell_picture(&self) -> Option<CellPicture> {

@@ -1,11 +1,11 @@
-//! The oracle as a program: the flags of assignments 1 to 6, the pictures in double precision.
+//! The oracle as a program: the flags of assignments 1 to 7, the pictures in double precision.
 
 mod args;
 
 use args::Args;
 use common::cli::{self, AppError};
 use common::picture::{Film, Size, Transfer, check_output, write};
-use oracle::{Raster, render};
+use oracle::{Raster, filter_picture, render, samples, samples_picture};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -31,32 +31,45 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<(), AppError> {
     let size = Size::new(args.size[0], args.size[1])?;
     let depth = args.depth()?;
-    let options = args.options(size, depth.as_ref().map(|d| d.range));
+    let (of_samples, of_filter) = (args.samples_picture()?, args.filter_picture()?);
+    let options = args.options(size, depth.as_ref().map(|d| d.range))?;
     let depth_file = depth.as_ref().map(|d| d.file.as_path());
     let files = [args.output.as_deref(), depth_file, args.normals.as_deref()];
-    if files.iter().all(Option::is_none) {
-        return Err(AppError::Usage("nothing to do: give -output, -depth or -normals".to_owned()));
+    if files.iter().all(Option::is_none) && of_samples.is_none() && of_filter.is_none() {
+        let flags = "-output, -depth, -normals, -render_samples or -render_filter";
+        return Err(AppError::Usage(format!("nothing to do: give {flags}")));
     }
     for file in files.into_iter().flatten() {
         check_output(file, size)?;
     }
     let scene = common::scene::load(&args.input)?;
     let start = Instant::now();
-    let pictures = args.in_threads(|| render(&scene, &options))??;
+    if let Some(picture) = of_filter {
+        save(&picture.file, &filter_picture(&options, picture.zoom)?)?;
+    }
+    if let Some(picture) = of_samples {
+        let samples = args.in_threads(|| samples(&scene, &options))??;
+        save(&picture.file, &samples_picture(&samples, picture.zoom)?)?;
+    }
+    if files.iter().any(Option::is_some) {
+        let pictures = args.in_threads(|| render(&scene, &options))??;
+        let rasters = [Some(&pictures.colour), pictures.depth.as_ref(), pictures.normals.as_ref()];
+        for (file, raster) in files.into_iter().zip(rasters) {
+            if let (Some(file), Some(raster)) = (file, raster) {
+                save(file, raster)?;
+            }
+        }
+    }
     if args.general.program.stats {
         cli::say(&format!("rendered in {:.3} s", start.elapsed().as_secs_f64()));
-    }
-    let rasters = [Some(&pictures.colour), pictures.depth.as_ref(), pictures.normals.as_ref()];
-    for (file, raster) in files.into_iter().zip(rasters) {
-        if let (Some(file), Some(raster)) = (file, raster) {
-            save(file, size, raster)?;
-        }
     }
     Ok(())
 }
 
 /// Writes a picture; float formats keep single precision.
-fn save(file: &Path, size: Size, raster: &Raster) -> Result<(), AppError> {
+fn save(file: &Path, raster: &Raster) -> Result<(), AppError> {
+    let size = Size::new(raster.width.into(), raster.height.into())?;
+    check_output(file, size)?;
     let film = Film::from_fn(size, |x, y| raster.pixel(x, y).as_vec3());
     Ok(write(file, &film, Transfer::Linear)?)
 }

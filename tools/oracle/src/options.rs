@@ -1,6 +1,6 @@
-//! What to draw: the command line of assignments 1 to 6 as data.
+//! What to draw: the command line of assignments 1 to 7 as data.
 
-use crate::OracleError;
+use crate::{Filter, OracleError};
 
 /// How much of the lighting model is switched on: one step per assignment.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -11,7 +11,7 @@ pub enum Model {
     Diffuse,
     /// Assignment 3: ambient, diffuse and highlights.
     Phong,
-    /// Assignments 4 to 6: the above with shadows, mirrors and glass.
+    /// Assignments 4 to 7: the above with shadows, mirrors and glass.
     #[default]
     Whitted,
 }
@@ -74,6 +74,15 @@ pub struct Options {
     pub normals: bool,
     /// Draw the occupied cells of a grid in place of the scene.
     pub grid: Option<CellPicture>,
+    /// Samples along each side of a pixel, at least 1: they stand at the centres of equal squares.
+    pub pixel_side: u32,
+    /// How samples are weighted; without one a pixel is the plain mean of its own.
+    pub filter: Option<Filter>,
+    /// What a camera's lens is cut into, squared; 1 leaves only its middle, a pinhole.
+    pub lens_side: u32,
+    /// What each light that has an extent is cut into, squared. 1 makes points of spherical
+    /// lights and no lights of emissive surfaces, as in assignments 1 to 6.
+    pub light_side: u32,
 }
 
 impl Default for Options {
@@ -92,6 +101,10 @@ impl Default for Options {
             depth: None,
             normals: false,
             grid: None,
+            pixel_side: 1,
+            filter: None,
+            lens_side: 16,
+            light_side: 1,
         }
     }
 }
@@ -112,6 +125,12 @@ impl Options {
         }
         if self.grid.is_some_and(|g| g.cells.contains(&0)) {
             return refuse("a grid needs at least one cell along each axis");
+        }
+        if [self.pixel_side, self.lens_side, self.light_side].contains(&0) {
+            return refuse("pixels, lenses and lights need at least one sample");
+        }
+        if self.filter.is_some_and(|filter| !filter.is_sound()) {
+            return refuse("a filter's radius must be a finite number above 0");
         }
         Ok(())
     }

@@ -1,13 +1,15 @@
-//! Local light: ambient, diffuse and highlights, with shadows (course rules §4.3 and §4.4).
+//! Local light: a surface's own, ambient, diffuse and highlights, with shadows (course rules §4.3
+//! and §4.4).
 
 use crate::light::Arriving;
 use crate::object::Object;
 use crate::{Hit, Mixture, Model, Options, Range, Ray, Specular, World};
 use common::math::DVec3;
 
-/// The colour of a hit by the lights and the ambient light alone; `mixture` is its material.
+/// The colour of a hit by its own light, the lights and the ambient light alone; `mixture` is its
+/// material.
 ///
-/// A surface seen from behind (ray·N > 0) is black, not even ambient, unless `-shade_back`
+/// A surface seen from behind (ray·N > 0) is black, its own light included, unless `-shade_back`
 /// turns its normal round. Which side is seen depends on the flat triangle, the light on
 /// the interpolated normal.
 pub(crate) fn local(world: &World, options: &Options, ray: &Ray, hit: &Hit, mixture: &Mixture) -> DVec3 {
@@ -35,7 +37,8 @@ pub(crate) fn local(world: &World, options: &Options, ray: &Ray, hit: &Hit, mixt
                 surface.diffuse + surface.specular * highlight
             })
     });
-    world.ambient * mixture.sum(|surface| surface.diffuse) + lit
+    let own = mixture.sum(|surface| surface.emissive);
+    own + world.ambient * mixture.sum(|surface| surface.diffuse) + lit
 }
 
 /// Σ reflectance ∘ light · max(0, L·N) over the lights in front of the surface.
@@ -45,8 +48,9 @@ pub(crate) fn sum_of_lights(
     normal: DVec3,
     reflectance: impl Fn(&Arriving) -> DVec3,
 ) -> DVec3 {
-    let arriving = world.lights.iter().filter_map(|light| light.at(point));
+    let arriving = world.arriving(point);
     arriving
+        .into_iter()
         .map(|a| (a, normal.dot(a.direction)))
         .filter(|&(_, cosine)| cosine > 0.0)
         .map(|(a, cosine)| reflectance(&a) * a.color * cosine)
@@ -68,9 +72,9 @@ fn visibility(world: &World, options: &Options, hit: &Hit, arriving: &Arriving) 
     if options.model != Model::Whitted || !options.shadows {
         return DVec3::ONE;
     }
-    let ray = hit.leave(arriving.direction);
+    let (ray, distance) = shadow_ray(hit, arriving);
     // A surface that the light sits on does not hide it.
-    let range = Range { min: 0.0, max: arriving.distance - hit.standoff };
+    let range = Range { min: 0.0, max: distance - hit.standoff };
     if options.transparent_shadows {
         filtered(world, &ray, range, hit.standoff)
     } else if world.nearest(&ray, range).is_some() {
@@ -78,6 +82,17 @@ fn visibility(world: &World, options: &Options, hit: &Hit, arriving: &Arriving) 
     } else {
         DVec3::ONE
     }
+}
+
+/// A ray from beside the surface to the light, and how long it is. It is aimed anew from where it
+/// starts: one that ran beside the true way would meet a light's own surface too early.
+fn shadow_ray(hit: &Hit, arriving: &Arriving) -> (Ray, f64) {
+    let ray = hit.leave(arriving.direction);
+    if arriving.distance.is_infinite() {
+        return (ray, arriving.distance);
+    }
+    let way = hit.point + arriving.distance * arriving.direction - ray.origin;
+    (Ray { direction: way.normalize(), ..ray }, way.length())
 }
 
 /// The product of the transparent colours of every surface crossed.

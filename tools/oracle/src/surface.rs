@@ -8,6 +8,8 @@ use common::scene::PhongMaterial;
 pub struct Surface {
     /// kd.
     pub diffuse: DVec3,
+    /// Radiance that the surface sends out by itself.
+    pub emissive: DVec3,
     /// ks of the highlight.
     pub specular: DVec3,
     /// Sharpness of the highlight.
@@ -23,10 +25,11 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Takes over a material, all but its picture. Emission is ignored, as in assignments 1 to 6.
+    /// Takes over a material, all but its picture.
     pub(crate) fn new(material: &PhongMaterial) -> Self {
         Self {
             diffuse: material.diffuse.as_dvec3(),
+            emissive: material.emissive.as_dvec3(),
             specular: material.specular.as_dvec3(),
             exponent: f64::from(material.exponent),
             reflective: material.reflective.as_dvec3(),

@@ -1,6 +1,7 @@
 //! The scene ready for brute force, and the nearest hit.
 
-use crate::light::Light;
+use crate::emitter::{Patch, patches};
+use crate::light::{Arriving, Light};
 use crate::object::{Object, objects};
 use crate::shape::Crossing;
 use crate::texture::{Materials, Mixture};
@@ -43,7 +44,11 @@ impl Hit<'_> {
 #[derive(Clone, Debug)]
 pub struct World {
     pub(crate) objects: Vec<Object>,
-    pub(crate) lights: Vec<Light>,
+    lights: Vec<Light>,
+    /// The pieces of the emissive surfaces, if these are lights.
+    patches: Vec<Patch>,
+    /// What spherical lights are cut into, squared.
+    light_side: u32,
     materials: Materials,
     pub(crate) background: DVec3,
     pub(crate) ambient: DVec3,
@@ -61,9 +66,28 @@ impl World {
             objects: objects(scene)?,
             materials: Materials::new(scene)?,
             lights: scene.lights.iter().map(Light::new).collect(),
+            patches: Vec::new(),
+            light_side: 1,
             background: scene.background.color.as_dvec3(),
             ambient: scene.background.ambient_light.as_dvec3(),
         })
+    }
+
+    /// The same world with lights that have an extent: spherical lights are cut into `side`²
+    /// directions, every emissive triangle, sphere and disc into as many pieces. With 1 nothing changes.
+    pub fn with_extended_lights(mut self, side: u32) -> Self {
+        if side > 1 {
+            self.light_side = side;
+            let emitting = self.objects.iter().filter(|object| self.materials.emits(object.material));
+            self.patches = emitting.flat_map(|object| patches(&self, object, side)).collect();
+        }
+        self
+    }
+
+    /// All light that arrives at a point, if nothing is in the way.
+    pub(crate) fn arriving(&self, point: DVec3) -> Vec<Arriving> {
+        let lights = self.lights.iter().flat_map(|light| light.at(point, self.light_side));
+        lights.chain(self.patches.iter().filter_map(|patch| patch.at(point))).collect()
     }
 
     /// Calls `found` for every point where the line of `ray` meets an object.

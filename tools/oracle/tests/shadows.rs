@@ -20,6 +20,10 @@ const SHADOWS: Options = Options {
     depth: None,
     normals: false,
     grid: None,
+    pixel_side: 1,
+    filter: None,
+    lens_side: 1,
+    light_side: 1,
 };
 
 const LAMP: &str = "Lights { numLights 1 PointLight { position 0 0 2 color 1 1 1 } }";

@@ -35,6 +35,22 @@ impl Materials {
         Ok(Self { list: scene.materials.iter().map(Entry::new).collect::<Result<_, _>>()? })
     }
 
+    /// Whether a material, or any that it blends, gives light of its own.
+    pub fn emits(&self, number: u32) -> bool {
+        let mut pending = vec![number];
+        while let Some(number) = pending.pop() {
+            match &self.list[number as usize] {
+                Entry::Plain(surface) | Entry::Pictured(surface, _) => {
+                    if surface.emissive != DVec3::ZERO {
+                        return true;
+                    }
+                }
+                Entry::Solid(solid) => pending.extend(solid.children),
+            }
+        }
+        false
+    }
+
     /// What material `number`, which must exist, is at a world-space `point`; `uv` is asked for where a picture is.
     ///
     /// Weights flow from each texture to the two materials below it. Children stand before
