@@ -26,6 +26,7 @@ pub enum Kernel {
 
 /// The kernels by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[value(rename_all = "snake_case")]
 pub enum KernelName {
     /// All samples alike
     Box,

@@ -43,6 +43,7 @@ pub trait Sampler: Send + Sync {
 
 /// The ways to choose samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+#[value(rename_all = "snake_case")]
 pub enum Pattern {
     /// Each sample for itself
     Random,
