@@ -61,6 +61,11 @@ pub struct AccelArgs {
     #[arg(long, num_args = 1..=2, value_names = ["PICTURE", "HOTTEST"])]
     pub heat: Option<Vec<String>>,
 
+    /// Whether `auto` may take what is faster than the grid though `-grid` is given; set by the
+    /// programs of later steps, whose pictures do not show the grid at work.
+    #[arg(skip)]
+    pub fastest: bool,
+
     /// Flags of assignments 1 to 5.
     #[command(flatten)]
     pub grid: GridArgs,
@@ -189,10 +194,10 @@ impl AccelArgs {
     ) -> Result<Tracer<'g>, AppError> {
         let choice = match (self.accel, &cells) {
             _ if self.takes_tree() => Choice::Kdtree,
-            (Choice::Auto, Some(_)) => Choice::Grid,
-            (Choice::Auto, None) if finite(geometry) < WORTH_A_TREE => Choice::List,
-            (Choice::Auto, None) if Instances::pay(geometry) => Choice::Instances,
-            (Choice::Auto, None) => Choice::Bvh,
+            (Choice::Auto, Some(_)) if !self.fastest => Choice::Grid,
+            (Choice::Auto, _) if finite(geometry) < WORTH_A_TREE => Choice::List,
+            (Choice::Auto, _) if Instances::pay(geometry) => Choice::Instances,
+            (Choice::Auto, _) => Choice::Bvh,
             (choice, _) => choice,
         };
         Ok(match choice {

@@ -89,7 +89,8 @@ impl SamplingArgs {
         self.accel.cast()
     }
 
-    /// The flags of assignments 1 to 6 with the files of this one among those that are written.
+    /// The flags of assignments 1 to 6 with the files of this one among those that are written,
+    /// and leave to trace through something faster than `-grid`.
     ///
     /// # Errors
     /// A number that cannot be one.
@@ -98,6 +99,8 @@ impl SamplingArgs {
         let files = [self.pattern.picture()?, self.filter.picture()?].into_iter().flatten();
         let files = files.map(|(file, _)| file).chain(self.pattern.samples_image.clone());
         all.grid.whitted.phong.diffuse.cast.further_outputs.extend(files);
+        // The picture is the same to the last bit; only the statistics tell of cells.
+        all.fastest = !self.cast().general.program.stats;
         Ok(all)
     }
 
