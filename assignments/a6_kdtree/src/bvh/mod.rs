@@ -16,6 +16,7 @@ mod split;
 pub(crate) mod stack;
 mod traverse;
 mod validate;
+pub(crate) mod walk;
 pub(crate) mod wide;
 
 pub use wide::Bvh;
