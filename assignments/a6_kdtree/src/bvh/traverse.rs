@@ -50,48 +50,12 @@ impl Bvh<'_> {
         best: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
-        let mut stack = Stack::new();
-        for (rays, best) in rays.chunks(RAYS).zip(best.chunks_mut(RAYS)) {
-            let packet = Packet::of(simd, rays, &self.bounds);
-            let asked = usable(rays);
-            if let Some(frustum) = self.frustum(&packet, rays.len()) {
-                let bundle = Bundle { packet: &packet, frustum: &frustum, rays, asked, interval };
-                self.nearest_together(simd, &bundle, &mut stack, best, c);
-                continue;
-            }
-            for lane in 0..rays.len() {
-                if asked >> lane & 1 == 1 {
-                    let query = Query { packet: &packet, lane, ray: &rays[lane], interval };
-                    best[lane] = self.nearest_one(simd, &query, &mut stack, best[lane], c);
-                }
-            }
-        }
+        self.follow(simd, rays, interval, &mut super::crowd::Nearest { rays, interval, best }, c);
     }
 
     #[inline(always)]
     fn any_in<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
-        let mut stack = Stack::new();
-        for (rays, hit) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {
-            let packet = Packet::of(simd, rays, &self.bounds);
-            let mut asked = usable(rays);
-            for (lane, hit) in hit.iter().enumerate() {
-                asked &= !(u32::from(*hit) << lane);
-            }
-            if let Some(frustum) = self.frustum(&packet, rays.len()) {
-                let bundle = Bundle { packet: &packet, frustum: &frustum, rays, asked, interval };
-                let bits = self.any_together(simd, &bundle, &mut stack, c);
-                for (lane, hit) in hit.iter_mut().enumerate() {
-                    *hit |= bits >> lane & 1 == 1;
-                }
-                continue;
-            }
-            for lane in 0..rays.len() {
-                if asked >> lane & 1 == 1 {
-                    let query = Query { packet: &packet, lane, ray: &rays[lane], interval };
-                    hit[lane] = self.any_one(simd, &query, &mut stack, c);
-                }
-            }
-        }
+        self.follow(simd, rays, interval, &mut super::crowd::Any { rays, interval, hit }, c);
     }
 }
 
@@ -101,7 +65,7 @@ const BUNDLE: usize = 4;
 impl Bvh<'_> {
     /// What encloses a packet's rays, if they are worth following together.
     #[inline(always)]
-    fn frustum(&self, packet: &Packet, rays: usize) -> Option<Frustum> {
+    pub(super) fn frustum(&self, packet: &Packet, rays: usize) -> Option<Frustum> {
         if rays < BUNDLE { None } else { Frustum::around(packet, &self.bounds) }
     }
 }
@@ -152,7 +116,7 @@ impl Accel for Bvh<'_> {
                 *hit = self.geometry.nearest_sheet(ray, interval, counters);
             }
         }
-        if !self.nodes.is_empty() {
+        if !self.nodes.is_empty() && !rays.is_empty() {
             dispatch!(simd::level(), s => self.nearest_in(s, rays, interval, hits, counters));
         }
     }
@@ -165,7 +129,7 @@ impl Accel for Bvh<'_> {
                 *hit = self.geometry.any_sheet(ray, interval, counters);
             }
         }
-        if !self.nodes.is_empty() {
+        if !self.nodes.is_empty() && !rays.is_empty() {
             dispatch!(simd::level(), s => self.any_in(s, rays, interval, hit, counters));
         }
     }

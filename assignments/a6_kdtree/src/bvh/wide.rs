@@ -70,6 +70,12 @@ impl Child {
         }
     }
 
+    /// Whether it holds a node.
+    #[inline(always)]
+    pub fn is_node(self) -> bool {
+        self.0 & !INDEX == 0
+    }
+
     /// What it holds.
     #[inline(always)]
     pub fn held(self) -> Held {
@@ -109,16 +115,20 @@ impl Bvh<'_> {
     #[inline(always)]
     pub(super) fn prefetch(&self, child: Child) {
         match child.held() {
-            Held::Node(index) => {
-                let node = &self.nodes[index];
-                for sides in &node.side {
-                    prefetch(&sides[0]);
-                }
-                prefetch(&node.child);
-            }
+            Held::Node(index) => self.prefetch_node(index),
             Held::Block(index, _) => self.blocks[index].prefetch(),
             Held::Solids(..) => {}
         }
+    }
+
+    /// Asks the memory for a node, without waiting.
+    #[inline(always)]
+    pub(super) fn prefetch_node(&self, index: usize) {
+        let node = &self.nodes[index];
+        for sides in &node.side {
+            prefetch(&sides[0]);
+        }
+        prefetch(&node.child);
     }
 
     /// Bytes that it takes.
