@@ -17,7 +17,8 @@ use common::shape::filter::{Errors, Filter};
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// Rays under way at a time.
-const SLOTS: usize = 16;
+const SLOTS: usize = 8;
+const PRE: bool = false;
 
 /// Levels below the root that a ray can keep; deeper trees are asked one ray at a time.
 pub const LEVELS: usize = 16;
@@ -312,25 +313,11 @@ impl Bvh<'_> {
             if at_node.len + at_leaf.len == 0 {
                 return;
             }
-            let (mut next_node, mut next_leaf) = (Line::EMPTY, Line::EMPTY);
             for s in at_node.iter() {
                 let slot = &mut slots[s as usize % SLOTS];
-                if let Held::Node(index) = slot.next.held() {
-                    c.cells += 1;
-                    slot.enter(simd, index, &self.nodes[index], interval.min);
-                }
-                let alive = slot.choose(simd, &self.nodes);
-                let node = slot.next.is_node();
-                next_node.push_if(alive & node, s);
-                next_leaf.push_if(alive & !node, s);
-                free.push_if(!alive, s);
-            }
-            if self.is_large() {
-                for s in next_leaf.iter() {
-                    if let Held::Block(index, _) = slots[s as usize % SLOTS].next.held() {
-                        self.blocks[index].prefetch();
-                    }
-                }
+                c.cells += 1;
+                let index = slot.next.index();
+                slot.enter(simd, index, &self.nodes[index], interval.min);
             }
             for s in at_leaf.iter() {
                 let slot = &mut slots[s as usize % SLOTS];
@@ -338,16 +325,28 @@ impl Bvh<'_> {
                 let job = Job { filter: &slot.filter, ray: &rays[slot.ray], interval };
                 slot.last = purpose.leaf(simd, self, held, &job, slot.ray, slot.last, c);
                 slot.max = limit(slot.last, slot.margin);
-                let alive = slot.last > f32::NEG_INFINITY && slot.choose(simd, &self.nodes);
-                let node = slot.next.is_node();
-                next_node.push_if(alive & node, s);
-                next_leaf.push_if(alive & !node, s);
-                free.push_if(!alive, s);
+                if slot.max == f32::NEG_INFINITY {
+                    slot.level = 0;
+                }
             }
-            if self.is_large() {
+            let (mut next_node, mut next_leaf) = (Line::EMPTY, Line::EMPTY);
+            for line in [&at_node, &at_leaf] {
+                for s in line.iter() {
+                    let slot = &mut slots[s as usize % SLOTS];
+                    let alive = slot.choose(simd, &self.nodes);
+                    let node = slot.next.is_node();
+                    next_node.push_if(alive & node, s);
+                    next_leaf.push_if(alive & !node, s);
+                    free.push_if(!alive, s);
+                }
+            }
+            if PRE || self.is_large() {
                 for s in next_node.iter() {
-                    if let Held::Node(index) = slots[s as usize % SLOTS].next.held() {
-                        self.prefetch_node(index);
+                    self.prefetch_node(slots[s as usize % SLOTS].next.index());
+                }
+                for s in next_leaf.iter() {
+                    if let Held::Block(index, _) = slots[s as usize % SLOTS].next.held() {
+                        self.blocks[index].prefetch();
                     }
                 }
             }

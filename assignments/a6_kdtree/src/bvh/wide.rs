@@ -76,6 +76,12 @@ impl Child {
         self.0 & !INDEX == 0
     }
 
+    /// The number of the node that it holds.
+    #[inline(always)]
+    pub fn index(self) -> usize {
+        (self.0 & INDEX) as usize
+    }
+
     /// What it holds.
     #[inline(always)]
     pub fn held(self) -> Held {
