@@ -56,19 +56,19 @@ struct Firsts<'a, 'g> {
     best: &'a mut [Option<Hit>],
 }
 
-impl Visit for Firsts<'_, '_> {
+impl<S: Simd> Visit<S> for Firsts<'_, '_> {
     #[inline(always)]
     fn backward(&self) -> u32 {
         self.bundle.frustum.backward
     }
 
     #[inline(always)]
-    fn meet<S: Simd>(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
         self.bundle.frustum.meet(simd, node, self.bundle.interval.min, max, enter)
     }
 
     #[inline(always)]
-    fn leaf<S: Simd>(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
         let Bundle { packet, rays, interval, .. } = *self.bundle;
         let held = node.child[child].held();
         for lane in lanes_of(self.bundle.meeting(simd, node, child, &self.limits)) {
@@ -91,19 +91,19 @@ struct AllBlocked<'a, 'g> {
     hit: u32,
 }
 
-impl Visit for AllBlocked<'_, '_> {
+impl<S: Simd> Visit<S> for AllBlocked<'_, '_> {
     #[inline(always)]
     fn backward(&self) -> u32 {
         self.bundle.frustum.backward
     }
 
     #[inline(always)]
-    fn meet<S: Simd>(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
         self.bundle.frustum.meet(simd, node, self.bundle.interval.min, max, enter)
     }
 
     #[inline(always)]
-    fn leaf<S: Simd>(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
         let Bundle { packet, rays, interval, asked, .. } = *self.bundle;
         let held = node.child[child].held();
         for lane in lanes_of(self.bundle.meeting(simd, node, child, &self.limits) & !self.hit) {

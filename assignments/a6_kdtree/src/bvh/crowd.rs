@@ -17,7 +17,7 @@ use common::shape::filter::{Errors, Filter};
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// Rays under way at a time.
-const SLOTS: usize = 8;
+const SLOTS: usize = 16;
 const PRE: bool = false;
 
 /// Levels below the root that a ray can keep; deeper trees are asked one ray at a time.
@@ -45,7 +45,7 @@ struct Slot {
     stack: [Waiting; LEVELS],
 }
 
-const NOTHING: Waiting = Waiting { enter: [0.0; WIDTH], node: 0, lanes: 0 };
+const NOTHING: Waiting = Waiting::NONE;
 
 impl Slot {
     const EMPTY: Self = Self {
@@ -102,7 +102,7 @@ impl Slot {
         self.level += usize::from(self.stack[self.level % LEVELS].lanes != 0);
         let top = &mut self.stack[self.level % LEVELS];
         near.store_slice(&mut top.enter);
-        top.node = index;
+        top.node = index as u32;
         top.lanes = near.simd_le(far).to_bitmask() as u32;
     }
 
@@ -116,7 +116,7 @@ impl Slot {
             let top = &mut self.stack[level % LEVELS];
             let lanes = top.lanes & f32x8::from_slice(simd, &top.enter).simd_le(max).to_bitmask() as u32;
             if lanes != 0 {
-                let node = &nodes[top.node];
+                let node = &nodes[top.node as usize];
                 let child = first_child(lanes, node.axis, self.backward);
                 top.lanes = lanes & !(1 << child);
                 self.next = node.child[child];
