@@ -30,6 +30,8 @@ struct Slot {
     near_offset: [f32; 3],
     far_offset: [f32; 3],
     backward: u32,
+    /// Which side comes first, by axis.
+    near: [u32; 3],
     /// Boxes that are entered later do not matter.
     max: f32,
     margin: f32,
@@ -53,6 +55,7 @@ impl Slot {
         near_offset: [0.0; 3],
         far_offset: [0.0; 3],
         backward: 0,
+        near: [0; 3],
         max: 0.0,
         margin: 0.0,
         next: Child::NOTHING,
@@ -76,6 +79,8 @@ impl Slot {
             self.far_offset[axis] = packet.far_offset[axis][lane];
         }
         self.backward = packet.backward[lane];
+        self.near = [self.backward & 1, self.backward >> 1 & 1, self.backward >> 2 & 1];
+        self.stack[0].lanes = 0;
         self.margin = packet.margin(lane);
         self.filter = packet.filter(lane);
         self.ray = ray;
@@ -85,32 +90,47 @@ impl Slot {
         self.level = 0;
     }
 
-    /// Asks which children of a node are met, and puts them on top of the stack.
+    /// Asks which children of a node are met.
     #[inline(always)]
-    fn enter<S: Simd>(&mut self, simd: S, index: usize, node: &WideNode, min: f32) {
+    fn meet<S: Simd>(&self, simd: S, node: &WideNode, min: f32) -> (f32x8<S>, u32) {
         let mut near = f32x8::splat(simd, min);
         let mut far = f32x8::splat(simd, self.max);
         for axis in 0..3 {
             let inverse = f32x8::splat(simd, self.inverse[axis]);
             let sides = &node.side[axis];
-            let first = (self.backward >> axis & 1) as usize;
+            let first = (self.near[axis] & 1) as usize;
             let first_side = f32x8::from_slice(simd, &sides[first]);
             let last_side = f32x8::from_slice(simd, &sides[first ^ 1]);
             near = near.max(first_side.mul_sub(inverse, f32x8::splat(simd, self.near_offset[axis])));
             far = far.min(last_side.mul_sub(inverse, f32x8::splat(simd, self.far_offset[axis])));
         }
-        self.level += usize::from(self.stack[self.level % LEVELS].lanes != 0);
-        let top = &mut self.stack[self.level % LEVELS];
+        (near, near.simd_le(far).to_bitmask() as u32)
+    }
+
+    /// Looks into a node. False if there is nothing left to look at.
+    #[inline(always)]
+    fn enter<S: Simd>(&mut self, simd: S, nodes: &[WideNode], min: f32) -> bool {
+        let index = self.next.index();
+        let node = &nodes[index];
+        let (near, lanes) = self.meet(simd, node, min);
+        if lanes == 0 {
+            return self.pop(simd, nodes);
+        }
+        let level = self.level + usize::from(self.stack[self.level % LEVELS].lanes != 0);
+        self.level = level;
+        let top = &mut self.stack[level % LEVELS];
         near.store_slice(&mut top.enter);
         top.node = index as u32;
-        top.lanes = near.simd_le(far).to_bitmask() as u32;
+        let child = first_child(lanes, node.axis, self.backward);
+        top.lanes = lanes & !(1 << child);
+        self.next = node.child[child];
+        true
     }
 
     /// Takes what comes next from the stack; false if there is nothing left.
     #[inline(always)]
-    fn choose<S: Simd>(&mut self, simd: S, nodes: &[WideNode]) -> bool {
+    fn pop<S: Simd>(&mut self, simd: S, nodes: &[WideNode]) -> bool {
         let mut level = self.level;
-        level -= usize::from(self.stack[level % LEVELS].lanes == 0 && level > 0);
         let max = f32x8::splat(simd, self.max);
         loop {
             let top = &mut self.stack[level % LEVELS];
@@ -313,11 +333,17 @@ impl Bvh<'_> {
             if at_node.len + at_leaf.len == 0 {
                 return;
             }
+            let (mut next_node, mut next_leaf) = (Line::EMPTY, Line::EMPTY);
+            c.cells += at_node.len as u64;
             for s in at_node.iter() {
                 let slot = &mut slots[s as usize % SLOTS];
-                c.cells += 1;
-                let index = slot.next.index();
-                slot.enter(simd, index, &self.nodes[index], interval.min);
+                if slot.enter(simd, &self.nodes, interval.min) {
+                    let node = slot.next.is_node();
+                    next_node.push_if(node, s);
+                    next_leaf.push_if(!node, s);
+                } else {
+                    free.push_if(true, s);
+                }
             }
             for s in at_leaf.iter() {
                 let slot = &mut slots[s as usize % SLOTS];
@@ -325,19 +351,12 @@ impl Bvh<'_> {
                 let job = Job { filter: &slot.filter, ray: &rays[slot.ray], interval };
                 slot.last = purpose.leaf(simd, self, held, &job, slot.ray, slot.last, c);
                 slot.max = limit(slot.last, slot.margin);
-                if slot.max == f32::NEG_INFINITY {
-                    slot.level = 0;
-                }
-            }
-            let (mut next_node, mut next_leaf) = (Line::EMPTY, Line::EMPTY);
-            for line in [&at_node, &at_leaf] {
-                for s in line.iter() {
-                    let slot = &mut slots[s as usize % SLOTS];
-                    let alive = slot.choose(simd, &self.nodes);
+                if slot.max > f32::NEG_INFINITY && slot.pop(simd, &self.nodes) {
                     let node = slot.next.is_node();
-                    next_node.push_if(alive & node, s);
-                    next_leaf.push_if(alive & !node, s);
-                    free.push_if(!alive, s);
+                    next_node.push_if(node, s);
+                    next_leaf.push_if(!node, s);
+                } else {
+                    free.push_if(true, s);
                 }
             }
             if PRE || self.is_large() {
