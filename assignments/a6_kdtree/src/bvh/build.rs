@@ -3,6 +3,7 @@
 //! A node's largest set is cut in two until there are eight: what collapsing a binary tree gives
 //! (Wald, Benthin & Boulos 2008), without the binary tree.
 
+use super::collapse::{Twig, children, join};
 use super::set::{Desk, Set};
 use super::split::{Item, Lanes};
 use super::wide::{Bvh, Child, EMPTY_NODE, WIDTH, WideNode};
@@ -64,7 +65,16 @@ impl<'g> Bvh<'g> {
         if group.len > 0 {
             let mut spare = items.clone();
             let mut desk = Desk { items: [&mut items, &mut spare], order: &mut order, first: 0 };
-            part.grow(group, &mut desk, 1);
+            let mut twigs = Vec::new();
+            twig_of(group.sets[0], &mut desk, &mut twigs);
+            if group.len > 1 {
+                let right = twigs.len();
+                twig_of(group.sets[1], &mut desk, &mut twigs);
+                let right = twigs.len() - right;
+                let (a, b) = (group.sets[0].bounds, group.sets[1].bounds);
+                join(&mut twigs, std::array::from_fn(|i| a[i].max(b[i])), right);
+            }
+            part.emit(&twigs, twigs.len() - 1, 1);
         }
         let pack = |&(first, len): &(u32, u32)| {
             let triangles = &order[first as usize..(first + len) as usize];
@@ -166,64 +176,52 @@ struct Part {
 }
 
 impl Part {
-    /// Adds a node over a group of sets, and what is below it.
-    fn grow(&mut self, mut group: Group, desk: &mut Desk, depth: usize) {
+    /// Adds a wide node.
+    fn emit(&mut self, twigs: &[Twig], of: usize, depth: usize) {
         self.depth = self.depth.max(depth);
-        group.open(desk);
-        let mut node = WideNode { axis: group.put_in_order() as u32, ..EMPTY_NODE };
-        for (lane, set) in group.sets().iter().enumerate() {
-            node.set_box(lane, &bounds_of(&set.bounds));
-            if set.is_leaf() {
-                set.settle(desk);
-                node.child[lane] = self.leaf(set);
+        let (mut found, len) = children(twigs, of);
+        let found = &mut found[..len];
+        let center = |&t: &usize| [0, 1, 2].map(|axis| twigs[t].bounds[4 + axis] - twigs[t].bounds[axis]);
+        let spread = Bounds::of_points(found.iter().map(|t| Vec3::from_array(center(t)))).size();
+        let axis = (0..3).fold(0, |best, axis| if spread[axis] > spread[best] { axis } else { best });
+        found.sort_by(|a, b| center(a)[axis].total_cmp(&center(b)[axis]));
+        let mut node = WideNode { axis: axis as u32, ..EMPTY_NODE };
+        for (lane, &t) in found.iter().enumerate() {
+            node.set_box(lane, &bounds_of(&twigs[t].bounds));
+            if twigs[t].is_leaf() {
+                node.child[lane] = self.leaf(&twigs[t]);
             }
         }
         let place = self.nodes.len();
         self.nodes.push(node);
-        if group.sets().iter().map(|set| set.len as usize).sum::<usize>() >= WORTH_A_THREAD {
-            self.grow_together(place, &group, desk, depth);
-            return;
-        }
-        for (lane, set) in group.inner() {
-            self.nodes[place].child[lane] = Child::node(self.nodes.len());
-            self.grow(Group::of(*set), desk, depth + 1);
+        for (lane, &t) in found.iter().enumerate() {
+            if !twigs[t].is_leaf() {
+                self.nodes[place].child[lane] = Child::node(self.nodes.len());
+                self.emit(twigs, t, depth + 1);
+            }
         }
     }
 
-    /// Adds what is below a node, each child by a thread of its own if there is one.
-    fn grow_together(&mut self, place: usize, group: &Group, desk: &mut Desk, depth: usize) {
-        let mut inner: Vec<(usize, Set)> = group.inner().map(|(lane, set)| (lane, *set)).collect();
-        inner.sort_by_key(|(_, set)| set.first);
-        let desks = desk.share(inner.iter().map(|(_, set)| set));
-        let mut parts: Vec<(usize, Part)> = Vec::new();
-        let grown = |((lane, set), mut desk): ((usize, Set), Desk)| {
-            let mut part = Self::default();
-            part.grow(Group::of(set), &mut desk, depth + 1);
-            (lane, part)
-        };
-        inner.into_par_iter().zip(desks).map(grown).collect_into_vec(&mut parts);
-        parts.sort_by_key(|(lane, _)| *lane);
-        for (lane, part) in parts {
-            self.nodes[place].child[lane] = Child::node(self.nodes.len());
-            self.append(part);
+    fn leaf(&mut self, twig: &Twig) -> Child {
+        if twig.shift != BLOCK_SHIFT {
+            return Child::solids(twig.first as usize, twig.len as usize);
         }
+        self.leaves.push((twig.first, twig.len));
+        Child::block(self.leaves.len() - 1, twig.len as usize)
     }
+}
 
-    fn append(&mut self, mut part: Self) {
-        let (nodes, leaves) = (self.nodes.len(), self.leaves.len());
-        for child in part.nodes.iter_mut().flat_map(|node| &mut node.child) {
-            *child = child.moved(nodes, leaves);
-        }
-        self.nodes.append(&mut part.nodes);
-        self.leaves.append(&mut part.leaves);
-        self.depth = self.depth.max(part.depth);
+/// The binary tree over a set, after what is there.
+fn twig_of(set: Set, desk: &mut Desk, twigs: &mut Vec<Twig>) {
+    if set.is_leaf() {
+        set.settle(desk);
+        twigs.push(Twig::leaf(set.bounds, set.first, set.len, set.shift));
+        return;
     }
-
-    fn leaf(&mut self, set: &Set) -> Child {
-        if set.shift != BLOCK_SHIFT {
-            return Child::solids(set.first as usize, set.len as usize);
-        }
-        self.leaves.push((set.first, set.len));
-        Child::block(self.leaves.len() - 1, set.len as usize)
-    }
+    let [left, right] = set.cut(desk);
+    twig_of(left, desk, twigs);
+    let before = twigs.len();
+    twig_of(right, desk, twigs);
+    let right = twigs.len() - before;
+    join(twigs, set.bounds, right);
 }

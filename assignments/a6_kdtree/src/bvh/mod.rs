@@ -7,6 +7,7 @@
 
 pub(crate) mod build;
 mod bundle;
+mod collapse;
 mod crowd;
 mod frustum;
 pub(crate) mod packet;
