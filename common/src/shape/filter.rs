@@ -20,6 +20,9 @@ use crate::ray::Ray;
 
 const UNIT: f32 = 1.0 / (1 << 24) as f32;
 
+/// What part of [`Errors::reach`] the margin is; see [`Errors::margin`].
+pub const MARGIN: f32 = 1.0 / (1 << 20) as f32;
+
 /// A ray prepared for [`TriangleBlock::judge`](super::triangle_block::TriangleBlock::judge).
 #[derive(Clone, Copy, Debug)]
 pub struct Filter {
@@ -88,6 +91,6 @@ impl Errors {
     /// of t itself; as [`crate::shape::ExactRay::margin`], but not smaller.
     #[inline(always)]
     pub fn margin(&self) -> f32 {
-        self.reach * 2f32.powi(-20)
+        self.reach * MARGIN
     }
 }

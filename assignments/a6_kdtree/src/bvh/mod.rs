@@ -13,6 +13,7 @@ mod frustum;
 pub(crate) mod packet;
 mod set;
 pub(crate) mod single;
+mod slot;
 mod slabs;
 mod split;
 pub(crate) mod stack;

@@ -1,8 +1,8 @@
 //! Questions to the tree: one ray, or many.
 
-use super::bundle::Bundle;
+use super::crowd::{Blocked, Nearest};
 use super::frustum::Frustum;
-use super::packet::{Packet, RAYS};
+use super::packet::Packet;
 use super::single::Query;
 use super::stack::Stack;
 use super::wide::Bvh;
@@ -50,12 +50,12 @@ impl Bvh<'_> {
         best: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
-        self.follow(simd, rays, interval, &mut super::crowd::Nearest { rays, interval, best }, c);
+        self.follow(simd, rays, interval, &mut Nearest { interval, best }, c);
     }
 
     #[inline(always)]
     fn any_in<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
-        self.follow(simd, rays, interval, &mut super::crowd::Any { rays, interval, hit }, c);
+        self.follow(simd, rays, interval, &mut Blocked { interval, hit }, c);
     }
 }
 
@@ -68,16 +68,6 @@ impl Bvh<'_> {
     pub(super) fn frustum(&self, packet: &Packet, rays: usize) -> Option<Frustum> {
         if rays < BUNDLE { None } else { Frustum::around(packet, &self.bounds) }
     }
-}
-
-/// A bit for each ray that can hit anything at all.
-#[inline(always)]
-fn usable(rays: &[Ray]) -> u32 {
-    let mut bits = 0;
-    for (lane, ray) in rays.iter().enumerate() {
-        bits |= u32::from(ray.is_usable()) << lane;
-    }
-    bits
 }
 
 impl Accel for Bvh<'_> {

@@ -89,19 +89,19 @@ struct Parts<'a, 'g, const ANY: bool> {
     goal: Goal<'a, ANY>,
 }
 
-impl<const ANY: bool> Visit for Parts<'_, '_, ANY> {
+impl<S: Simd, const ANY: bool> Visit<S> for Parts<'_, '_, ANY> {
     #[inline(always)]
     fn backward(&self) -> u32 {
         self.packet.backward[0]
     }
 
     #[inline(always)]
-    fn meet<S: Simd>(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
         self.packet.meet(simd, 0, node, Interval { max, ..self.stretch }, enter)
     }
 
     #[inline(always)]
-    fn leaf<S: Simd>(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
         let held = node.child[child].held();
         let Held::Solids(first, count) = held else { return self.goal.limit(self.margin) };
         for &index in &self.scene.top.solids[first..first + count] {
@@ -165,19 +165,19 @@ struct Blocks<'a, 'g, 'r, const ANY: bool> {
     goal: &'a mut Goal<'r, ANY>,
 }
 
-impl<const ANY: bool> Visit for Blocks<'_, '_, '_, ANY> {
+impl<S: Simd, const ANY: bool> Visit<S> for Blocks<'_, '_, '_, ANY> {
     #[inline(always)]
     fn backward(&self) -> u32 {
         self.object.packet.backward[0]
     }
 
     #[inline(always)]
-    fn meet<S: Simd>(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
         self.object.packet.meet(simd, 0, node, Interval { max, ..self.stretch }, enter)
     }
 
     #[inline(always)]
-    fn leaf<S: Simd>(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
         let held = node.child[child].held();
         let Held::Block(index, len) = held else { return self.goal.limit(self.margin) };
         let block = &self.tree.blocks[index];
