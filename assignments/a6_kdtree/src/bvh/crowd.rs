@@ -4,9 +4,11 @@
 //! Here some rays are under way at a time: all that are at a node take a step, then all that are
 //! at a leaf. Meanwhile the memory is asked for what each of them needs next.
 
-use super::bundle::Bundle;
+use super::bundle::{Bundle, lanes_of};
+use super::frustum::starts_together;
 use super::packet::{Packet, RAYS};
-use super::slot::Slot;
+use super::single::Query;
+use super::slot::{DEEPEST, Slot};
 use super::stack::Stack;
 use super::wide::{Bvh, Held};
 use common::accel::Job;
@@ -30,6 +32,9 @@ pub trait Purpose {
     /// Looks into a leaf. Returns until where hits matter from now on; −∞ if none do.
     fn leaf<S: Simd>(&mut self, simd: S, bvh: &Bvh, held: Held, at: &At, c: &mut Counters) -> f32;
 
+    /// Follows one ray all the way.
+    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters);
+
     /// Follows rays from number `first` on, which run alongside each other.
     fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters);
 }
@@ -49,6 +54,8 @@ pub struct Nearest<'a> {
     pub interval: Interval,
     /// The best so far, by ray.
     pub best: &'a mut [Option<Hit>],
+    /// For rays that are not followed in slots.
+    pub stack: Stack,
 }
 
 impl Purpose for Nearest<'_> {
@@ -68,9 +75,14 @@ impl Purpose for Nearest<'_> {
     }
 
     #[inline(always)]
+    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters) {
+        self.best[ray] = bvh.nearest_one(simd, query, &mut self.stack, self.best[ray], c);
+    }
+
+    #[inline(always)]
     fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters) {
         let best = &mut self.best[first..first + bundle.rays.len()];
-        bvh.nearest_together(simd, bundle, &mut Stack::new(), best, c);
+        bvh.nearest_together(simd, bundle, &mut self.stack, best, c);
     }
 }
 
@@ -80,6 +92,8 @@ pub struct Blocked<'a> {
     pub interval: Interval,
     /// Whether there is one, by ray.
     pub hit: &'a mut [bool],
+    /// For rays that are not followed in slots.
+    pub stack: Stack,
 }
 
 impl Purpose for Blocked<'_> {
@@ -103,8 +117,13 @@ impl Purpose for Blocked<'_> {
     }
 
     #[inline(always)]
+    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters) {
+        self.hit[ray] = bvh.any_one(simd, query, &mut self.stack, c);
+    }
+
+    #[inline(always)]
     fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters) {
-        let bits = bvh.any_together(simd, bundle, &mut Stack::new(), c);
+        let bits = bvh.any_together(simd, bundle, &mut self.stack, c);
         for (lane, hit) in self.hit[first..first + bundle.rays.len()].iter_mut().enumerate() {
             *hit |= bits >> lane & 1 == 1;
         }
@@ -222,6 +241,13 @@ impl Bvh<'_> {
         }
     }
 
+    /// Whether rays had better be followed one after the other. Those that start beside each
+    /// other find what they need in the nearest cache, if all of the tree is in some cache.
+    #[inline(always)]
+    fn is_alone_better(&self, packet: &Packet) -> bool {
+        self.depth > DEEPEST || !self.is_large() && starts_together(packet, &self.bounds)
+    }
+
     /// Gives rays to idle slots.
     #[inline(always)]
     #[expect(clippy::too_many_arguments, reason = "all of them belong to one loop")]
@@ -275,6 +301,12 @@ impl Bvh<'_> {
             let bundle =
                 Bundle { packet: &queue.packet, frustum: &frustum, rays, asked: queue.asked, interval };
             purpose.bundle(simd, self, &bundle, queue.first, c);
+            queue.asked = 0;
+        } else if self.is_alone_better(&queue.packet) {
+            for lane in lanes_of(queue.asked) {
+                let query = Query { packet: &queue.packet, lane, ray: &rays[lane], interval };
+                purpose.alone(simd, self, &query, queue.first + lane, c);
+            }
             queue.asked = 0;
         }
     }

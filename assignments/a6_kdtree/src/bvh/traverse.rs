@@ -50,12 +50,12 @@ impl Bvh<'_> {
         best: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
-        self.follow(simd, rays, interval, &mut Nearest { interval, best }, c);
+        self.follow(simd, rays, interval, &mut Nearest { interval, best, stack: Stack::new() }, c);
     }
 
     #[inline(always)]
     fn any_in<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
-        self.follow(simd, rays, interval, &mut Blocked { interval, hit }, c);
+        self.follow(simd, rays, interval, &mut Blocked { interval, hit, stack: Stack::new() }, c);
     }
 }
 
