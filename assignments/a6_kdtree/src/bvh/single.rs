@@ -170,7 +170,8 @@ impl Bvh<'_> {
         // two blocks or none.
         let job = Job { filter: std::hint::black_box(filter), ray, interval };
         let last = best.map_or(interval.max, |b| b.t);
-        let mut first = First { bvh: self, beam: query.beam(simd), margin: packet.margin(lane), job, last, best };
+        let mut first =
+            First { bvh: self, beam: query.beam(simd), margin: packet.margin(lane), job, last, best };
         walk(simd, self, stack, query.limit(last), &mut first, c);
         first.best
     }
