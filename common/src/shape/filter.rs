@@ -12,7 +12,8 @@
 //! | n·c − t·(n·d), for \|t\|·D ≤ 1.01·M | 13·M·E² | 120u·M·E² | 256u·M·E² |
 //!
 //! and to each the floor 2⁻¹²⁰·max(1, M, D)² for underflow, which loses 2⁻¹⁴⁹ at a time (a floor
-//! below 2⁻¹²⁶ would cost a hundred cycles for being subnormal).
+//! below 2⁻¹²⁶ would cost a hundred cycles for being subnormal). Of the third weight a quarter is
+//! computed, which is exact, to be held against the other weights' bound.
 //! Overflow and NaN compare false, and so keep the lane.
 
 use crate::math::{Bounds, Interval, Vec3A};

@@ -123,12 +123,13 @@ impl TriangleBlock {
         let edge = size(e1).max(size(e2));
         let floor = f32x8::splat(simd, filter.errors.floor);
         let weight_error = edge.mul_add(f32x8::splat(simd, filter.errors.weight), floor);
-        // The third weight may be wrong by four times as much.
+        // A quarter, because the third weight may be wrong by four times as much.
         let v0 = (along - (v1 + v2)) * f32x8::splat(simd, 0.25);
         let low = v1.min(v2).min(v0);
         let high = v1.max(v2).max(v0);
         // All weights of one sign: inside; certainly mixed signs: outside.
         let outside = high.min(-low).simd_gt(weight_error);
+        // Of most blocks nothing is left here.
         if outside.to_bitmask() as u32 == (1 << LANES) - 1 {
             return Verdict { possible: 0, certain: 0, latest: [0.0; LANES] };
         }

@@ -195,7 +195,7 @@ struct Queue<'a> {
 }
 
 impl Bvh<'_> {
-    /// Follows all rays, of which there is at least one.
+    /// Follows all rays.
     #[inline(always)]
     pub(super) fn follow<S: Simd>(
         &self,
@@ -205,8 +205,7 @@ impl Bvh<'_> {
         purpose: &mut impl Purpose,
         c: &mut Counters,
     ) {
-        let packet = Packet::of(simd, &rays[..1], &self.bounds);
-        let mut queue = Queue { rays, packet, first: 0, asked: 0, seen: 0 };
+        let mut queue = Queue { rays, packet: Packet::EMPTY, first: 0, asked: 0, seen: 0 };
         let mut slots = [const { Slot::EMPTY }; SLOTS];
         let all = Line { slots: std::array::from_fn(|i| i as u8), len: SLOTS };
         let mut now = Lines { node: Line::EMPTY, leaf: Line::EMPTY, idle: all };

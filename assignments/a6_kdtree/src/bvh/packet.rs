@@ -1,5 +1,6 @@
 //! Up to eight rays side by side, prepared for boxes and triangles.
 
+use super::beam::Beam;
 use super::slabs::{ORDINARY, Slabs};
 use super::wide::{WIDTH, WideNode};
 use common::math::{Bounds, Interval, Vec3};
@@ -138,7 +139,8 @@ impl Packet<1> {
 }
 
 impl<const N: usize> Packet<N> {
-    const EMPTY: Self = Self {
+    /// No rays.
+    pub const EMPTY: Self = Self {
         origin: [[0.0; N]; 3],
         direction: [[0.0; N]; 3],
         inverse: [[0.0; N]; 3],
@@ -172,6 +174,16 @@ impl<const N: usize> Packet<N> {
         self.floor[lane] = errors.floor;
     }
 
+    /// One ray, prepared for boxes.
+    #[inline(always)]
+    pub fn beam(&self, lane: usize) -> Beam {
+        let Self { inverse: [ix, iy, iz], near_offset: [nx, ny, nz], far_offset: [fx, fy, fz], .. } = self;
+        let inverse = [ix[lane], iy[lane], iz[lane]];
+        let near_offset = [nx[lane], ny[lane], nz[lane]];
+        let far_offset = [fx[lane], fy[lane], fz[lane]];
+        Beam::new(inverse, near_offset, far_offset, self.backward[lane])
+    }
+
     /// One ray, prepared for triangles.
     #[inline(always)]
     pub fn filter(&self, lane: usize) -> Filter {
@@ -198,7 +210,7 @@ impl<const N: usize> Packet<N> {
     }
 
     /// A bit for every child whose box one of the rays may meet inside the interval, and where
-    /// it enters them. Written without closures, see [`common::simd`].
+    /// it enters them.
     #[inline(always)]
     pub fn meet<S: Simd>(
         &self,
@@ -208,26 +220,9 @@ impl<const N: usize> Packet<N> {
         interval: Interval,
         enter: &mut [f32; WIDTH],
     ) -> u32 {
-        let (near_x, far_x) = self.slab(simd, lane, node, 0);
-        let (near_y, far_y) = self.slab(simd, lane, node, 1);
-        let (near_z, far_z) = self.slab(simd, lane, node, 2);
-        let near = near_x.max(near_y).max(near_z.max(f32x8::splat(simd, interval.min)));
-        let far = far_x.min(far_y).min(far_z.min(f32x8::splat(simd, interval.max)));
+        let (near, lanes) = self.beam(lane).spread(simd, interval.min).meet(simd, node, interval.max);
         near.store_slice(enter);
-        near.simd_le(far).to_bitmask() as u32
-    }
-
-    #[inline(always)]
-    fn slab<S: Simd>(&self, simd: S, lane: usize, node: &WideNode, axis: usize) -> (f32x8<S>, f32x8<S>) {
-        let inverse = f32x8::splat(simd, self.inverse[axis][lane]);
-        let sides = &node.side[axis];
-        let first = (self.backward[lane] >> axis & 1) as usize;
-        let near = f32x8::from_slice(simd, &sides[first]);
-        let far = f32x8::from_slice(simd, &sides[first ^ 1]);
-        (
-            near.mul_sub(inverse, f32x8::splat(simd, self.near_offset[axis][lane])),
-            far.mul_sub(inverse, f32x8::splat(simd, self.far_offset[axis][lane])),
-        )
+        lanes
     }
 }
 

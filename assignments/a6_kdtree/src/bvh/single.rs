@@ -1,5 +1,6 @@
 //! One ray through the tree.
 
+use super::beam::Spread;
 use super::packet::Packet;
 use super::stack::Stack;
 use super::walk::{Visit, walk};
@@ -10,7 +11,7 @@ use common::geometry::Hit;
 use common::math::Interval;
 use common::ray::Ray;
 use common::shape::ExactRay;
-use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use common::simd::{Simd, SimdBase};
 
 /// More than the rounding of t at both sides of a comparison; relative to t.
 const ROUNDING: f32 = 1.0 / (1 << 20) as f32;
@@ -36,23 +37,10 @@ pub struct Query<'p, const N: usize> {
 }
 
 impl<const N: usize> Query<'_, N> {
-    /// What the ray's box tests want to know, at hand.
+    /// The ray for box tests.
     #[inline(always)]
-    fn beam<S: Simd>(&self, simd: S) -> Beam<S> {
-        let Packet { inverse, near_offset, far_offset, backward, .. } = self.packet;
-        let (lane, backward) = (self.lane, backward[self.lane]);
-        let of = |rows: &[[f32; N]; 3]| {
-            let [x, y, z] = rows;
-            [f32x8::splat(simd, x[lane]), f32x8::splat(simd, y[lane]), f32x8::splat(simd, z[lane])]
-        };
-        Beam {
-            inverse: of(inverse),
-            near_offset: of(near_offset),
-            far_offset: of(far_offset),
-            min: f32x8::splat(simd, self.interval.min),
-            near: [backward & 1, backward >> 1 & 1, backward >> 2 & 1].map(|first| first as usize),
-            backward,
-        }
+    fn beam<S: Simd>(&self, simd: S) -> Spread<S> {
+        self.packet.beam(self.lane).spread(simd, self.interval.min)
     }
 
     /// Until where boxes matter if hits do until `t`.
@@ -62,44 +50,11 @@ impl<const N: usize> Query<'_, N> {
     }
 }
 
-/// One ray for box tests.
-struct Beam<S: Simd> {
-    inverse: [f32x8<S>; 3],
-    near_offset: [f32x8<S>; 3],
-    far_offset: [f32x8<S>; 3],
-    min: f32x8<S>,
-    /// Which side comes first, by axis.
-    near: [usize; 3],
-    backward: u32,
-}
-
-impl<S: Simd> Beam<S> {
-    /// A bit for every child that the ray may meet no later than `max`, and where it enters.
-    #[inline(always)]
-    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
-        let (near_x, far_x) = self.slab(simd, &node.side[0], 0);
-        let (near_y, far_y) = self.slab(simd, &node.side[1], 1);
-        let (near_z, far_z) = self.slab(simd, &node.side[2], 2);
-        let near = near_x.max(near_y).max(near_z.max(self.min));
-        let far = far_x.min(far_y).min(far_z.min(f32x8::splat(simd, max)));
-        near.store_slice(enter);
-        near.simd_le(far).to_bitmask() as u32
-    }
-
-    /// Where the ray enters and leaves the slabs of one axis.
-    #[inline(always)]
-    fn slab(&self, simd: S, sides: &[[f32; WIDTH]; 2], axis: usize) -> (f32x8<S>, f32x8<S>) {
-        let near = f32x8::from_slice(simd, &sides[self.near[axis]]);
-        let far = f32x8::from_slice(simd, &sides[self.near[axis] ^ 1]);
-        let inverse = self.inverse[axis];
-        (near.mul_sub(inverse, self.near_offset[axis]), far.mul_sub(inverse, self.far_offset[axis]))
-    }
-}
-
 /// Looks for the first hit of a ray.
 struct First<'a, 'g, S: Simd> {
     bvh: &'a Bvh<'g>,
-    beam: Beam<S>,
+    beam: Spread<S>,
+    backward: u32,
     margin: f32,
     job: Job<'a>,
     /// Hits later than this do not matter; known before the exact hit is.
@@ -110,12 +65,14 @@ struct First<'a, 'g, S: Simd> {
 impl<S: Simd> Visit<S> for First<'_, '_, S> {
     #[inline(always)]
     fn backward(&self) -> u32 {
-        self.beam.backward
+        self.backward
     }
 
     #[inline(always)]
     fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
-        self.beam.meet(simd, node, max, enter)
+        let (near, lanes) = self.beam.meet(simd, node, max);
+        near.store_slice(enter);
+        lanes
     }
 
     #[inline(always)]
@@ -129,7 +86,8 @@ impl<S: Simd> Visit<S> for First<'_, '_, S> {
 /// Looks for any hit of a ray.
 struct Blocked<'a, 'g, S: Simd> {
     bvh: &'a Bvh<'g>,
-    beam: Beam<S>,
+    beam: Spread<S>,
+    backward: u32,
     job: Job<'a>,
     max: f32,
     hit: bool,
@@ -138,12 +96,14 @@ struct Blocked<'a, 'g, S: Simd> {
 impl<S: Simd> Visit<S> for Blocked<'_, '_, S> {
     #[inline(always)]
     fn backward(&self) -> u32 {
-        self.beam.backward
+        self.backward
     }
 
     #[inline(always)]
     fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
-        self.beam.meet(simd, node, max, enter)
+        let (near, lanes) = self.beam.meet(simd, node, max);
+        near.store_slice(enter);
+        lanes
     }
 
     #[inline(always)]
@@ -170,8 +130,15 @@ impl Bvh<'_> {
         // two blocks or none.
         let job = Job { filter: std::hint::black_box(filter), ray, interval };
         let last = best.map_or(interval.max, |b| b.t);
-        let mut first =
-            First { bvh: self, beam: query.beam(simd), margin: packet.margin(lane), job, last, best };
+        let mut first = First {
+            bvh: self,
+            beam: query.beam(simd),
+            backward: packet.backward[lane],
+            margin: packet.margin(lane),
+            job,
+            last,
+            best,
+        };
         walk(simd, self, stack, query.limit(last), &mut first, c);
         first.best
     }
@@ -190,7 +157,14 @@ impl Bvh<'_> {
         // As above.
         let job = Job { filter: std::hint::black_box(filter), ray, interval };
         let max = query.limit(interval.max);
-        let mut blocked = Blocked { bvh: self, beam: query.beam(simd), job, max, hit: false };
+        let mut blocked = Blocked {
+            bvh: self,
+            beam: query.beam(simd),
+            backward: packet.backward[lane],
+            job,
+            max,
+            hit: false,
+        };
         walk(simd, self, stack, max, &mut blocked, c);
         blocked.hit
     }

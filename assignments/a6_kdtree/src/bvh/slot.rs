@@ -1,11 +1,12 @@
 //! A ray under way, and what waits for it.
 
+use super::beam::Beam;
 use super::packet::{Packet, first_child};
 use super::single::limit;
 use super::stack::Waiting;
-use super::wide::{Child, WIDTH, WideNode};
+use super::wide::{Child, WideNode};
 use common::shape::filter::{Errors, Filter};
-use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use common::simd::{Simd, SimdBase, SimdMask, f32x8};
 
 /// Nodes that can wait, one more than levels that a tree may have; a power of two.
 const LEVELS: usize = 16;
@@ -20,13 +21,7 @@ pub struct Slot {
     stack: [Waiting; LEVELS],
     /// The last of them.
     level: usize,
-    inverse: [f32; 3],
-    near_offset: [f32; 3],
-    far_offset: [f32; 3],
-    /// For each axis where the sides begin that come first: those of [`WideNode::side`] lie side
-    /// by side.
-    near: [u32; 3],
-    backward: u32,
+    beam: Beam,
     /// Boxes that are entered later do not matter …
     max: f32,
     /// … which is hits by so much of t before.
@@ -46,11 +41,7 @@ impl Slot {
     pub const EMPTY: Self = Self {
         stack: [Waiting::NONE; LEVELS],
         level: 0,
-        inverse: [0.0; 3],
-        near_offset: [0.0; 3],
-        far_offset: [0.0; 3],
-        near: [0; 3],
-        backward: 0,
+        beam: Beam::NONE,
         max: 0.0,
         margin: 0.0,
         last: 0.0,
@@ -66,13 +57,7 @@ impl Slot {
     /// Sends a ray of a packet to the root. Hits later than `last` do not matter.
     #[inline(always)]
     pub fn start(&mut self, packet: &Packet, lane: usize, ray: usize, last: f32) {
-        self.backward = packet.backward[lane];
-        for axis in 0..3 {
-            self.inverse[axis] = packet.inverse[axis][lane];
-            self.near_offset[axis] = packet.near_offset[axis][lane];
-            self.far_offset[axis] = packet.far_offset[axis][lane];
-            self.near[axis] = (self.backward >> axis & 1) * WIDTH as u32;
-        }
+        self.beam = packet.beam(lane);
         self.margin = packet.margin(lane);
         self.filter = packet.filter(lane);
         self.ray = ray;
@@ -93,7 +78,7 @@ impl Slot {
     pub fn enter<S: Simd>(&mut self, simd: S, nodes: &[WideNode], min: f32) -> bool {
         let index = self.next.index();
         let node = &nodes[index];
-        let (enter, lanes) = self.meet(simd, node, min);
+        let (enter, lanes) = self.beam.spread(simd, min).meet(simd, node, self.max);
         if lanes == 0 {
             return self.pop(simd, nodes);
         }
@@ -127,25 +112,8 @@ impl Slot {
     /// Makes one of the last node's children, which are `lanes`, the next.
     #[inline(always)]
     fn take_child(&mut self, node: &WideNode, lanes: u32) {
-        let child = first_child(lanes, node.axis, self.backward);
+        let child = first_child(lanes, node.axis, self.beam.backward);
         self.next = node.child[child];
         self.stack[self.level % LEVELS].lanes = lanes & !(1 << child);
-    }
-
-    /// Where the ray enters each child, and a bit for those that it meets.
-    #[inline(always)]
-    fn meet<S: Simd>(&self, simd: S, node: &WideNode, min: f32) -> (f32x8<S>, u32) {
-        let mut near = f32x8::splat(simd, min);
-        let mut far = f32x8::splat(simd, self.max);
-        for axis in 0..3 {
-            let sides = node.side[axis].as_flattened();
-            let first = self.near[axis] as usize & WIDTH;
-            let enter = f32x8::from_slice(simd, &sides[first..][..WIDTH]);
-            let leave = f32x8::from_slice(simd, &sides[first ^ WIDTH..][..WIDTH]);
-            let inverse = f32x8::splat(simd, self.inverse[axis]);
-            near = near.max(enter.mul_sub(inverse, f32x8::splat(simd, self.near_offset[axis])));
-            far = far.min(leave.mul_sub(inverse, f32x8::splat(simd, self.far_offset[axis])));
-        }
-        (near, near.simd_le(far).to_bitmask() as u32)
     }
 }

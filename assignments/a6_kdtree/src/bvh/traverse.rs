@@ -106,7 +106,7 @@ impl Accel for Bvh<'_> {
                 *hit = self.geometry.nearest_sheet(ray, interval, counters);
             }
         }
-        if !self.nodes.is_empty() && !rays.is_empty() {
+        if !self.nodes.is_empty() {
             dispatch!(simd::level(), s => self.nearest_in(s, rays, interval, hits, counters));
         }
     }
@@ -119,7 +119,7 @@ impl Accel for Bvh<'_> {
                 *hit = self.geometry.any_sheet(ray, interval, counters);
             }
         }
-        if !self.nodes.is_empty() && !rays.is_empty() {
+        if !self.nodes.is_empty() {
             dispatch!(simd::level(), s => self.any_in(s, rays, interval, hit, counters));
         }
     }

@@ -61,15 +61,6 @@ impl Child {
         Self(SOLIDS | (first as u32) << COUNT_BITS & INDEX | (len as u32))
     }
 
-    /// The same, where so many nodes and blocks come before those that were counted.
-    pub fn moved(self, nodes: usize, blocks: usize) -> Self {
-        match self.held() {
-            Held::Node(index) => Self::node(index + nodes),
-            Held::Block(index, len) => Self::block(index + blocks, len),
-            Held::Solids(..) => self,
-        }
-    }
-
     /// Whether it holds a node.
     #[inline(always)]
     pub fn is_node(self) -> bool {
@@ -107,7 +98,7 @@ pub struct Bvh<'g> {
 }
 
 /// Nodes of a tree of some 16 MiB.
-const LARGE: usize = 16384;
+const LARGE: usize = 8192;
 
 impl Bvh<'_> {
     /// Whether rays should ask the memory ahead. What fits a processor's caches arrives in time
