@@ -12,13 +12,17 @@
 //! | n·c − t·(n·d), for \|t\|·D ≤ 1.01·M | 13·M·E² | 120u·M·E² | 256u·M·E² |
 //!
 //! and to each the floor 2⁻¹²⁰·max(1, M, D)² for underflow, which loses 2⁻¹⁴⁹ at a time (a floor
-//! below 2⁻¹²⁶ would cost a hundred cycles for being subnormal).
+//! below 2⁻¹²⁶ would cost a hundred cycles for being subnormal). Of the third weight a quarter is
+//! computed, which is exact, to be held against the other weights' bound.
 //! Overflow and NaN compare false, and so keep the lane.
 
 use crate::math::{Bounds, Interval, Vec3A};
 use crate::ray::Ray;
 
 const UNIT: f32 = 1.0 / (1 << 24) as f32;
+
+/// What part of [`Errors::reach`] the margin is; see [`Errors::margin`].
+pub const MARGIN: f32 = 1.0 / (1 << 20) as f32;
 
 /// A ray prepared for [`TriangleBlock::judge`](super::triangle_block::TriangleBlock::judge).
 #[derive(Clone, Copy, Debug)]
@@ -88,6 +92,6 @@ impl Errors {
     /// of t itself; as [`crate::shape::ExactRay::margin`], but not smaller.
     #[inline(always)]
     pub fn margin(&self) -> f32 {
-        self.reach * 2f32.powi(-20)
+        self.reach * MARGIN
     }
 }

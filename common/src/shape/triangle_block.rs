@@ -111,27 +111,30 @@ impl TriangleBlock {
     #[inline(always)]
     pub fn judge<S: Simd>(&self, simd: S, filter: &Filter, interval: Interval) -> Verdict {
         let a = self.corner(simd, 0);
-        let e1 = minus(self.corner(simd, 1), a);
+        // Against e₁, so that no sign need be turned below.
+        let e1 = minus(a, self.corner(simd, 1));
         let e2 = minus(self.corner(simd, 2), a);
         let c = minus(a, splat(simd, filter.origin));
         let d = splat(simd, filter.direction);
         let r = cross(c, d);
-        let (v1, v2) = (dot(r, e2), -dot(r, e1));
-        let n = cross(e1, e2);
-        let (along, height) = (dot(n, d), dot(n, c));
-        let v0 = along - v1 - v2;
-
+        let (v1, v2) = (dot(r, e2), dot(r, e1));
+        let n = cross(e2, e1);
+        let along = dot(n, d);
         let edge = size(e1).max(size(e2));
         let floor = f32x8::splat(simd, filter.errors.floor);
         let weight_error = edge.mul_add(f32x8::splat(simd, filter.errors.weight), floor);
-        let rest_error = edge.mul_add(f32x8::splat(simd, filter.errors.weight * 4.0), floor);
+        // A quarter, because the third weight may be wrong by four times as much.
+        let v0 = (along - (v1 + v2)) * f32x8::splat(simd, 0.25);
+        let low = v1.min(v2).min(v0);
+        let high = v1.max(v2).max(v0);
         // All weights of one sign: inside; certainly mixed signs: outside.
-        let low = v1.min(v2);
-        let high = v1.max(v2);
-        let some_below = low.simd_lt(-weight_error) | v0.simd_lt(-rest_error);
-        let some_above = high.simd_gt(weight_error) | v0.simd_gt(rest_error);
-        let outside = some_below & some_above;
+        let outside = high.min(-low).simd_gt(weight_error);
+        // Of most blocks nothing is left here.
+        if outside.to_bitmask() as u32 == (1 << LANES) - 1 {
+            return Verdict { possible: 0, certain: 0, latest: [0.0; LANES] };
+        }
 
+        let height = dot(n, c);
         let area = edge * edge;
         let along_error = area.mul_add(f32x8::splat(simd, filter.errors.along), floor);
         let depth_error = area.mul_add(f32x8::splat(simd, filter.errors.depth), floor);
@@ -144,8 +147,7 @@ impl TriangleBlock {
         let off = after_start.simd_lt(-depth_error) | before_end.simd_lt(-depth_error);
         let possible = !(outside | (sure & off));
 
-        let inside = (low.simd_gt(weight_error) & v0.simd_gt(rest_error))
-            | (high.simd_lt(-weight_error) & v0.simd_lt(-rest_error));
+        let inside = low.max(-high).simd_gt(weight_error);
         let between = after_start.simd_gt(depth_error) & before_end.simd_gt(depth_error);
         let certain = inside & sure & between;
         let mut latest = [0.0; LANES];

@@ -1,11 +1,12 @@
-//! Growing the wide tree from the root down.
+//! Growing the tree.
 //!
-//! A node's largest set is cut in two until there are eight: what collapsing a binary tree gives
-//! (Wald, Benthin & Boulos 2008), without the binary tree.
+//! First a binary tree, from the root down, by cutting sets in two; then the wide one that
+//! [`super::collapse`] finds in it.
 
+use super::collapse::{Children, Twig, join};
 use super::set::{Desk, Set};
 use super::split::{Item, Lanes};
-use super::wide::{Bvh, Child, EMPTY_NODE, WIDTH, WideNode};
+use super::wide::{Bvh, Child, EMPTY_NODE, WideNode};
 use common::geometry::Geometry;
 use common::math::{Bounds, Vec3};
 use common::shape::triangle_block::{LANES, TriangleBlock};
@@ -50,21 +51,25 @@ impl<'g> Bvh<'g> {
         numbered: impl Fn(u32) -> (u32, [Vec3; 3]) + Sync,
     ) -> Self {
         assert!(items.len() < 1 << 26, "at most 2^26 primitives");
-        let mut group = Group::EMPTY;
         let mut bounds = Bounds::EMPTY;
+        let mut sets = Vec::new();
         for (first, end, shift) in [(solids, items.len(), BLOCK_SHIFT), (0, solids, most.ilog2())] {
             if first < end {
                 let set = Set::all(&items[first..end], first, shift);
                 bounds = bounds.union(&bounds_of(&set.bounds));
-                group.push(set);
+                sets.push(set);
             }
         }
         let mut order = vec![0; items.len()];
+        let mut spare = items.clone();
+        let mut desk = Desk { items: [&mut items, &mut spare], order: &mut order, first: 0 };
+        let twigs = sets.into_iter().map(|set| twigs(set, &mut desk)).reduce(|a, b| {
+            let bounds = union(&a[a.len() - 1].bounds, &b[b.len() - 1].bounds);
+            join(a, b, bounds)
+        });
         let mut part = Part::default();
-        if group.len > 0 {
-            let mut spare = items.clone();
-            let mut desk = Desk { items: [&mut items, &mut spare], order: &mut order, first: 0 };
-            part.grow(group, &mut desk, 1);
+        if let Some(twigs) = twigs {
+            part.add(&twigs, twigs.len() - 1, 1);
         }
         let pack = |&(first, len): &(u32, u32)| {
             let triangles = &order[first as usize..(first + len) as usize];
@@ -105,58 +110,42 @@ fn bounds_of(lanes: &Lanes) -> Bounds {
     Bounds { min: -Vec3::new(x, y, z), max: Vec3::new(to_x, to_y, to_z) }
 }
 
-/// The children of a node.
-struct Group {
-    sets: [Set; WIDTH],
-    len: usize,
+/// The box around two boxes.
+fn union(a: &Lanes, b: &Lanes) -> Lanes {
+    std::array::from_fn(|i| if a[i] > b[i] { a[i] } else { b[i] })
 }
 
-impl Group {
-    const EMPTY: Self = Self { sets: [Set::EMPTY; WIDTH], len: 0 };
-
-    fn push(&mut self, set: Set) {
-        self.sets[self.len] = set;
-        self.len += 1;
+/// The binary tree over a set, as long as that is cheap to do by one thread.
+fn twigs(set: Set, desk: &mut Desk) -> Vec<Twig> {
+    if (set.len as usize) < WORTH_A_THREAD {
+        let mut twigs = Vec::new();
+        grow(set, desk, &mut twigs);
+        return twigs;
     }
-
-    fn of(set: Set) -> Self {
-        let mut group = Self::EMPTY;
-        group.push(set);
-        group
-    }
-
-    /// The sets that are no leaves, with their places.
-    fn inner(&self) -> impl Iterator<Item = (usize, &Set)> {
-        self.sets().iter().enumerate().filter(|(_, set)| !set.is_leaf())
-    }
-
-    fn sets(&self) -> &[Set] {
-        &self.sets[..self.len]
-    }
-
-    /// Cuts the largest set until there are eight, or only leaves.
-    fn open(&mut self, desk: &mut Desk) {
-        while self.len < WIDTH {
-            let inner = (0..self.len).filter(|i| !self.sets[*i].is_leaf());
-            let larger = |a: usize, b: usize| if self.sets[b].area > self.sets[a].area { b } else { a };
-            let Some(largest) = inner.reduce(larger) else { break };
-            let [left, right] = self.sets[largest].cut(desk);
-            self.sets[largest] = left;
-            self.push(right);
-        }
-    }
-
-    /// Sorts the sets along the axis in which their centres differ most, and names it.
-    fn put_in_order(&mut self) -> usize {
-        let center = |set: &Set| [0, 1, 2].map(|axis| set.bounds[4 + axis] - set.bounds[axis]);
-        let spread = Bounds::of_points(self.sets().iter().map(|s| Vec3::from_array(center(s)))).size();
-        let axis = (0..3).fold(0, |best, axis| if spread[axis] > spread[best] { axis } else { best });
-        self.sets[..self.len].sort_by(|a, b| center(a)[axis].total_cmp(&center(b)[axis]));
-        axis
-    }
+    let sides = set.cut(desk);
+    let mut desks = desk.share(sides.iter()).into_iter();
+    let (Some(mut left), Some(mut right)) = (desks.next(), desks.next()) else {
+        unreachable!("one for each")
+    };
+    let (a, b) = rayon::join(|| twigs(sides[0], &mut left), || twigs(sides[1], &mut right));
+    join(a, b, set.bounds)
 }
 
-/// A part of the tree: its numbers of nodes and leaves count from its own first.
+/// Adds the binary tree over a set to what is there.
+fn grow(set: Set, desk: &mut Desk, twigs: &mut Vec<Twig>) {
+    if set.is_leaf() {
+        set.settle(desk);
+        twigs.push(Twig::leaf(&set));
+        return;
+    }
+    let [left, right] = set.cut(desk);
+    grow(left, desk, twigs);
+    let end_of_left = twigs.len();
+    grow(right, desk, twigs);
+    twigs.push(Twig::over(twigs, end_of_left, set.bounds));
+}
+
+/// The wide tree as far as it is made.
 #[derive(Default)]
 struct Part {
     nodes: Vec<WideNode>,
@@ -166,64 +155,43 @@ struct Part {
 }
 
 impl Part {
-    /// Adds a node over a group of sets, and what is below it.
-    fn grow(&mut self, mut group: Group, desk: &mut Desk, depth: usize) {
+    /// Adds the wide node at a binary one, and what is below it.
+    fn add(&mut self, twigs: &[Twig], at: usize, depth: usize) {
         self.depth = self.depth.max(depth);
-        group.open(desk);
-        let mut node = WideNode { axis: group.put_in_order() as u32, ..EMPTY_NODE };
-        for (lane, set) in group.sets().iter().enumerate() {
-            node.set_box(lane, &bounds_of(&set.bounds));
-            if set.is_leaf() {
-                set.settle(desk);
-                node.child[lane] = self.leaf(set);
+        let mut children = Children::of(twigs, at);
+        let axis = put_in_order(twigs, children.as_mut_slice());
+        let mut node = WideNode { axis: axis as u32, ..EMPTY_NODE };
+        for (lane, child) in children.iter().map(|child| &twigs[child]).enumerate() {
+            node.set_box(lane, &bounds_of(&child.bounds));
+            if child.is_leaf() {
+                node.child[lane] = self.leaf(child);
             }
         }
         let place = self.nodes.len();
         self.nodes.push(node);
-        if group.sets().iter().map(|set| set.len as usize).sum::<usize>() >= WORTH_A_THREAD {
-            self.grow_together(place, &group, desk, depth);
-            return;
-        }
-        for (lane, set) in group.inner() {
+        for (lane, child) in children.iter().enumerate().filter(|(_, child)| !twigs[*child].is_leaf()) {
             self.nodes[place].child[lane] = Child::node(self.nodes.len());
-            self.grow(Group::of(*set), desk, depth + 1);
+            self.add(twigs, child, depth + 1);
         }
     }
 
-    /// Adds what is below a node, each child by a thread of its own if there is one.
-    fn grow_together(&mut self, place: usize, group: &Group, desk: &mut Desk, depth: usize) {
-        let mut inner: Vec<(usize, Set)> = group.inner().map(|(lane, set)| (lane, *set)).collect();
-        inner.sort_by_key(|(_, set)| set.first);
-        let desks = desk.share(inner.iter().map(|(_, set)| set));
-        let mut parts: Vec<(usize, Part)> = Vec::new();
-        let grown = |((lane, set), mut desk): ((usize, Set), Desk)| {
-            let mut part = Self::default();
-            part.grow(Group::of(set), &mut desk, depth + 1);
-            (lane, part)
-        };
-        inner.into_par_iter().zip(desks).map(grown).collect_into_vec(&mut parts);
-        parts.sort_by_key(|(lane, _)| *lane);
-        for (lane, part) in parts {
-            self.nodes[place].child[lane] = Child::node(self.nodes.len());
-            self.append(part);
+    fn leaf(&mut self, twig: &Twig) -> Child {
+        if twig.shift != BLOCK_SHIFT {
+            return Child::solids(twig.first as usize, twig.len as usize);
         }
+        self.leaves.push((twig.first, twig.len));
+        Child::block(self.leaves.len() - 1, twig.len as usize)
     }
+}
 
-    fn append(&mut self, mut part: Self) {
-        let (nodes, leaves) = (self.nodes.len(), self.leaves.len());
-        for child in part.nodes.iter_mut().flat_map(|node| &mut node.child) {
-            *child = child.moved(nodes, leaves);
-        }
-        self.nodes.append(&mut part.nodes);
-        self.leaves.append(&mut part.leaves);
-        self.depth = self.depth.max(part.depth);
-    }
-
-    fn leaf(&mut self, set: &Set) -> Child {
-        if set.shift != BLOCK_SHIFT {
-            return Child::solids(set.first as usize, set.len as usize);
-        }
-        self.leaves.push((set.first, set.len));
-        Child::block(self.leaves.len() - 1, set.len as usize)
-    }
+/// Sorts children along the axis in which their centres differ most, and names it.
+fn put_in_order(twigs: &[Twig], children: &mut [u32]) -> usize {
+    let center = |child: &u32| {
+        let bounds = &twigs[*child as usize].bounds;
+        [0, 1, 2].map(|axis| bounds[4 + axis] - bounds[axis])
+    };
+    let spread = Bounds::of_points(children.iter().map(|child| Vec3::from_array(center(child)))).size();
+    let axis = (0..3).fold(0, |best, axis| if spread[axis] > spread[best] { axis } else { best });
+    children.sort_by(|a, b| center(a)[axis].total_cmp(&center(b)[axis]));
+    axis
 }

@@ -1,16 +1,16 @@
 //! Up to eight rays that run alongside each other through the tree together.
 
 use super::frustum::Frustum;
-use super::packet::{Lanes, Packet, RAYS, first_child};
-use super::single::{entered_before, limit};
-use super::stack::{Stack, Waiting};
-use super::wide::{Bvh, Held, WIDTH};
+use super::packet::{Lanes, Packet, RAYS};
+use super::single::limit;
+use super::stack::Stack;
+use super::walk::{Visit, walk};
+use super::wide::{Bvh, WIDTH, WideNode};
 use common::accel::Job;
 use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::Interval;
 use common::ray::Ray;
-use common::shape::ExactRay;
 use common::simd::Simd;
 
 /// Rays that go together.
@@ -27,6 +27,93 @@ pub struct Bundle<'p> {
     pub interval: Interval,
 }
 
+impl Bundle<'_> {
+    /// A bit for each ray that may meet the box of a node's child no later than its own limit.
+    #[inline(always)]
+    fn meeting<S: Simd>(&self, simd: S, node: &WideNode, child: usize, limits: &Lanes) -> u32 {
+        let backward = self.frustum.backward;
+        self.asked & self.packet.rays_meeting(simd, node, child, backward, self.interval.min, limits)
+    }
+
+    /// Where boxes matter to each ray, if hits matter until `last`; to none that is not asked for.
+    #[inline(always)]
+    fn limits(&self, last: &Lanes) -> Lanes {
+        let mut limits = [f32::NEG_INFINITY; RAYS];
+        for lane in lanes_of(self.asked) {
+            limits[lane] = limit(last[lane], self.packet.margin(lane));
+        }
+        limits
+    }
+}
+
+/// Looks for the first hit of each ray.
+struct Firsts<'a, 'g> {
+    bvh: &'a Bvh<'g>,
+    bundle: &'a Bundle<'a>,
+    /// By ray: hits later than this do not matter; known before the exact hit is.
+    last: Lanes,
+    limits: Lanes,
+    best: &'a mut [Option<Hit>],
+}
+
+impl<S: Simd> Visit<S> for Firsts<'_, '_> {
+    #[inline(always)]
+    fn backward(&self) -> u32 {
+        self.bundle.frustum.backward
+    }
+
+    #[inline(always)]
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+        self.bundle.frustum.meet(simd, node, self.bundle.interval.min, max, enter)
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
+        let Bundle { packet, rays, interval, .. } = *self.bundle;
+        let held = node.child[child].held();
+        for lane in lanes_of(self.bundle.meeting(simd, node, child, &self.limits)) {
+            let job = Job { filter: &packet.filter(lane), ray: &rays[lane], interval };
+            let (last, best) = (self.last[lane], &mut self.best[lane]);
+            self.last[lane] = self.bvh.nearest_held(simd, held, &job, last, best, c);
+            self.limits[lane] = limit(self.last[lane], packet.margin(lane));
+        }
+        greatest(&self.limits)
+    }
+}
+
+/// Looks for any hit of each ray.
+struct AllBlocked<'a, 'g> {
+    bvh: &'a Bvh<'g>,
+    bundle: &'a Bundle<'a>,
+    limits: Lanes,
+    max: f32,
+    /// A bit for each ray that hits something.
+    hit: u32,
+}
+
+impl<S: Simd> Visit<S> for AllBlocked<'_, '_> {
+    #[inline(always)]
+    fn backward(&self) -> u32 {
+        self.bundle.frustum.backward
+    }
+
+    #[inline(always)]
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+        self.bundle.frustum.meet(simd, node, self.bundle.interval.min, max, enter)
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
+        let Bundle { packet, rays, interval, asked, .. } = *self.bundle;
+        let held = node.child[child].held();
+        for lane in lanes_of(self.bundle.meeting(simd, node, child, &self.limits) & !self.hit) {
+            let job = Job { filter: &packet.filter(lane), ray: &rays[lane], interval };
+            self.hit |= u32::from(self.bvh.any_held(simd, held, &job, c)) << lane;
+        }
+        if self.hit == asked { f32::NEG_INFINITY } else { self.max }
+    }
+}
+
 impl Bvh<'_> {
     /// Puts the better of what is there and the first hit of each ray into `best`.
     #[inline(always)]
@@ -38,62 +125,13 @@ impl Bvh<'_> {
         best: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
-        let Bundle { packet, frustum, rays, asked, interval } = *bundle;
-        let mut last: Lanes = [f32::NEG_INFINITY; RAYS];
-        let mut limits: Lanes = [f32::NEG_INFINITY; RAYS];
-        let mut max = f32::NEG_INFINITY;
-        for lane in lanes_of(asked) {
-            last[lane] = best[lane].map_or(interval.max, |b| b.t);
-            limits[lane] = limit(last[lane], packet.margin(lane));
-            max = max.max(limits[lane]);
+        let mut last = [bundle.interval.max; RAYS];
+        for (last, best) in last.iter_mut().zip(best.iter()) {
+            *last = best.map_or(*last, |b| b.t);
         }
-        stack.clear();
-        let mut at = Waiting { enter: [0.0; WIDTH], node: 0, lanes: 0 };
-        at.lanes = frustum.meet(simd, &self.nodes[0], interval.min, max, &mut at.enter);
-        c.cells += 1;
-        loop {
-            if at.lanes == 0 {
-                let Some(next) = stack.pop() else { return };
-                at = next;
-                at.lanes &= entered_before(simd, &at.enter, max);
-                continue;
-            }
-            let node = &self.nodes[at.node];
-            let child = first_child(at.lanes, node.axis, frustum.backward);
-            at.lanes &= !(1 << child);
-            if self.is_large() {
-                self.prefetch(node.child[first_child(at.lanes, node.axis, frustum.backward)]);
-            }
-            let held = node.child[child].held();
-            if let Held::Node(below) = held {
-                stack.push(&at);
-                c.cells += 1;
-                at.node = below;
-                at.lanes = frustum.meet(simd, &self.nodes[below], interval.min, max, &mut at.enter);
-                continue;
-            }
-            let meeting = packet.rays_meeting(simd, node, child, frustum.backward, interval.min, &limits);
-            for lane in lanes_of(meeting & asked) {
-                let ray = &rays[lane];
-                match held {
-                    Held::Block(index, len) => {
-                        let job = Job { filter: &packet.filter(lane), ray, interval };
-                        let block = &self.blocks[index];
-                        last[lane] = job.nearest_of(simd, block, len, last[lane], &mut best[lane], c);
-                    }
-                    Held::Solids(first, count) => {
-                        let (solids, exact) = (&self.solids[first..first + count], ExactRay::new(ray));
-                        let solids = solids.iter().copied();
-                        best[lane] = self.geometry.nearest_solid(solids, &exact, interval, best[lane], c);
-                        last[lane] = best[lane].map_or(last[lane], |b| b.t.min(last[lane]));
-                    }
-                    Held::Node(_) => {}
-                }
-                limits[lane] = limit(last[lane], packet.margin(lane));
-            }
-            max = limits.iter().fold(f32::NEG_INFINITY, |m, &l| if l > m { l } else { m });
-            at.lanes &= entered_before(simd, &at.enter, max);
-        }
+        let limits = bundle.limits(&last);
+        let mut firsts = Firsts { bvh: self, bundle, last, limits, best };
+        walk(simd, self, stack, greatest(&limits), &mut firsts, c);
     }
 
     /// A bit for each of the asked rays that hits anything.
@@ -105,63 +143,22 @@ impl Bvh<'_> {
         stack: &mut Stack,
         c: &mut Counters,
     ) -> u32 {
-        let Bundle { packet, frustum, rays, asked, interval } = *bundle;
-        let mut limits: Lanes = [f32::NEG_INFINITY; RAYS];
-        let mut max = f32::NEG_INFINITY;
-        for lane in lanes_of(asked) {
-            limits[lane] = limit(interval.max, packet.margin(lane));
-            max = max.max(limits[lane]);
-        }
-        let mut hit = 0;
-        stack.clear();
-        let mut at = Waiting { enter: [0.0; WIDTH], node: 0, lanes: 0 };
-        at.lanes = frustum.meet(simd, &self.nodes[0], interval.min, max, &mut at.enter);
-        c.cells += 1;
-        loop {
-            if at.lanes == 0 {
-                let Some(next) = stack.pop() else { return hit };
-                at = next;
-            }
-            let node = &self.nodes[at.node];
-            let child = first_child(at.lanes, node.axis, frustum.backward);
-            at.lanes &= !(1 << child);
-            if self.is_large() {
-                self.prefetch(node.child[first_child(at.lanes, node.axis, frustum.backward)]);
-            }
-            let held = node.child[child].held();
-            if let Held::Node(below) = held {
-                stack.push(&at);
-                c.cells += 1;
-                at.node = below;
-                at.lanes = frustum.meet(simd, &self.nodes[below], interval.min, max, &mut at.enter);
-                continue;
-            }
-            let meeting = packet.rays_meeting(simd, node, child, frustum.backward, interval.min, &limits);
-            for lane in lanes_of(meeting & asked & !hit) {
-                let ray = &rays[lane];
-                let blocked = match held {
-                    Held::Block(index, len) => {
-                        let job = Job { filter: &packet.filter(lane), ray, interval };
-                        job.any_of(simd, &self.blocks[index], len, c)
-                    }
-                    Held::Solids(first, count) => {
-                        let solids = self.solids[first..first + count].iter().copied();
-                        self.geometry.any_solid(solids, &ExactRay::new(ray), interval, c)
-                    }
-                    Held::Node(_) => false,
-                };
-                hit |= u32::from(blocked) << lane;
-            }
-            if hit == asked {
-                return hit;
-            }
-        }
+        let limits = bundle.limits(&[bundle.interval.max; RAYS]);
+        let max = greatest(&limits);
+        let mut blocked = AllBlocked { bvh: self, bundle, limits, max, hit: 0 };
+        walk(simd, self, stack, max, &mut blocked, c);
+        blocked.hit
     }
+}
+
+#[inline(always)]
+fn greatest(lanes: &Lanes) -> f32 {
+    lanes.iter().fold(f32::NEG_INFINITY, |m, &l| if l > m { l } else { m })
 }
 
 /// The numbers of the bits that are set.
 #[inline(always)]
-fn lanes_of(mut bits: u32) -> impl Iterator<Item = usize> {
+pub fn lanes_of(mut bits: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lane = bits.trailing_zeros() as usize;
         (bits != 0).then(|| {

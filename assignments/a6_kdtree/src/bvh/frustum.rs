@@ -98,6 +98,18 @@ impl Frustum {
     }
 }
 
+/// Whether the rays of a packet start near each other.
+#[inline(always)]
+pub fn starts_together(packet: &Packet, bounds: &Bounds) -> bool {
+    let apart = bounds.size().max_element() * APART;
+    let mut together = true;
+    for axis in 0..3 {
+        let (low, high) = range(&packet.origin[axis]);
+        together &= high - low <= apart;
+    }
+    together
+}
+
 #[inline(always)]
 fn range(lanes: &Lanes) -> (f32, f32) {
     let (mut low, mut high) = (lanes[0], lanes[0]);

@@ -5,17 +5,22 @@
 //! boxes at once (Dammertz, Hanika & Keller 2008; Wald, Benthin & Boulos 2008). Leaves are blocks
 //! of eight triangles, as the list has them.
 
+mod beam;
 pub(crate) mod build;
 mod bundle;
+mod collapse;
+mod crowd;
 mod frustum;
 pub(crate) mod packet;
 mod set;
 pub(crate) mod single;
 mod slabs;
+mod slot;
 mod split;
 pub(crate) mod stack;
 mod traverse;
 mod validate;
+pub(crate) mod walk;
 pub(crate) mod wide;
 
 pub use wide::Bvh;

@@ -1,10 +1,11 @@
 //! Up to eight rays side by side, prepared for boxes and triangles.
 
+use super::beam::Beam;
 use super::slabs::{ORDINARY, Slabs};
 use super::wide::{WIDTH, WideNode};
 use common::math::{Bounds, Interval, Vec3};
 use common::ray::Ray;
-use common::shape::filter::{Errors, Filter};
+use common::shape::filter::{Errors, Filter, MARGIN};
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// Rays in a packet.
@@ -28,16 +29,20 @@ pub struct Packet<const N: usize = RAYS> {
     pub near_offset: [Lanes<N>; 3],
     /// … and smaller.
     pub far_offset: [Lanes<N>; 3],
-    /// Farthest any triangle can be along any axis, and largest component of the direction.
-    far: Lanes<N>,
-    step: Lanes<N>,
+    /// How wrong tests of triangles may be; see [`Errors`].
+    reach: Lanes<N>,
+    weight: Lanes<N>,
+    along: Lanes<N>,
+    depth: Lanes<N>,
+    floor: Lanes<N>,
+    /// A bit for every ray that can hit anything at all.
+    pub usable: u32,
     /// A bit for every axis along which the high side comes first.
     pub backward: [u32; N],
 }
 
 impl Packet {
-    /// Prepares one to eight usable rays for a tree within `bounds`; unused places repeat the
-    /// last.
+    /// Prepares one to eight rays for a tree within `bounds`; unused places repeat the last.
     #[inline(always)]
     pub fn of<S: Simd>(simd: S, rays: &[Ray], bounds: &Bounds) -> Self {
         let mut packet = Self::EMPTY;
@@ -49,6 +54,7 @@ impl Packet {
             }
         }
         let (mut far, mut step) = (f32x8::splat(simd, 0.0), f32x8::splat(simd, 0.0));
+        let mut usable = (1 << RAYS) - 1;
         for axis in 0..3 {
             let [o, d] = [&packet.origin, &packet.direction].map(|v| f32x8::from_slice(simd, &v[axis]));
             let [min, max] = [bounds.min, bounds.max].map(|corner| f32x8::splat(simd, corner[axis]));
@@ -59,13 +65,19 @@ impl Packet {
             slab.far_offset.store_slice(&mut packet.far_offset[axis]);
             far = far.max(slab.far);
             step = step.max(d.abs());
+            usable &= o.abs().max(d.abs()).simd_lt(f32x8::splat(simd, f32::INFINITY)).to_bitmask() as u32;
             let backward = slab.inverse.simd_lt(f32x8::splat(simd, 0.0)).to_bitmask() as u32;
             for lane in 0..RAYS {
                 packet.backward[lane] |= (backward >> lane & 1) << axis;
             }
         }
-        far.store_slice(&mut packet.far);
-        step.store_slice(&mut packet.step);
+        packet.usable = usable & step.simd_gt(f32x8::splat(simd, 0.0)).to_bitmask() as u32;
+        let (mut fars, mut steps) = ([0.0; RAYS], [0.0; RAYS]);
+        far.store_slice(&mut fars);
+        step.store_slice(&mut steps);
+        for lane in 0..RAYS {
+            packet.set_errors(lane, &Errors::new(fars[lane], steps[lane]));
+        }
         let ordinary = far.simd_lt(step * f32x8::splat(simd, ORDINARY)).to_bitmask() as u32;
         if ordinary != (1 << RAYS) - 1 {
             packet.give_up();
@@ -95,11 +107,18 @@ impl Packet<1> {
             error: by_axis(slab.error),
             near_offset: by_axis(slab.near_offset),
             far_offset: by_axis(slab.far_offset),
-            far: [greater(greater(far[0][0], far[1][0]), far[2][0])],
-            step: [ray.direction.abs().max_element()],
+            reach: [0.0],
+            weight: [0.0],
+            along: [0.0],
+            depth: [0.0],
+            floor: [0.0],
+            usable: 1,
             backward: [slab.inverse.simd_lt(f32x8::splat(simd, 0.0)).to_bitmask() as u32 & 7],
         };
-        let ordinary = packet.far[0] < ORDINARY * packet.step[0];
+        let far = greater(greater(far[0][0], far[1][0]), far[2][0]);
+        let step = ray.direction.abs().max_element();
+        packet.set_errors(0, &Errors::new(far, step));
+        let ordinary = far < ORDINARY * step;
         if !ordinary {
             packet.give_up();
         }
@@ -120,15 +139,20 @@ impl Packet<1> {
 }
 
 impl<const N: usize> Packet<N> {
-    const EMPTY: Self = Self {
+    /// No rays.
+    pub const EMPTY: Self = Self {
         origin: [[0.0; N]; 3],
         direction: [[0.0; N]; 3],
         inverse: [[0.0; N]; 3],
         error: [[0.0; N]; 3],
         near_offset: [[0.0; N]; 3],
         far_offset: [[0.0; N]; 3],
-        far: [0.0; N],
-        step: [0.0; N],
+        reach: [0.0; N],
+        weight: [0.0; N],
+        along: [0.0; N],
+        depth: [0.0; N],
+        floor: [0.0; N],
+        usable: 0,
         backward: [0; N],
     };
 
@@ -141,6 +165,25 @@ impl<const N: usize> Packet<N> {
         self.far_offset = [[f32::NEG_INFINITY; N]; 3];
     }
 
+    #[inline(always)]
+    fn set_errors(&mut self, lane: usize, errors: &Errors) {
+        self.reach[lane] = errors.reach;
+        self.weight[lane] = errors.weight;
+        self.along[lane] = errors.along;
+        self.depth[lane] = errors.depth;
+        self.floor[lane] = errors.floor;
+    }
+
+    /// One ray, prepared for boxes.
+    #[inline(always)]
+    pub fn beam(&self, lane: usize) -> Beam {
+        let Self { inverse: [ix, iy, iz], near_offset: [nx, ny, nz], far_offset: [fx, fy, fz], .. } = self;
+        let inverse = [ix[lane], iy[lane], iz[lane]];
+        let near_offset = [nx[lane], ny[lane], nz[lane]];
+        let far_offset = [fx[lane], fy[lane], fz[lane]];
+        Beam::new(inverse, near_offset, far_offset, self.backward[lane])
+    }
+
     /// One ray, prepared for triangles.
     #[inline(always)]
     pub fn filter(&self, lane: usize) -> Filter {
@@ -149,7 +192,13 @@ impl<const N: usize> Packet<N> {
         Filter {
             origin: [ox[lane], oy[lane], oz[lane]],
             direction: [dx[lane], dy[lane], dz[lane]],
-            errors: Errors::new(self.far[lane], self.step[lane]),
+            errors: Errors {
+                reach: self.reach[lane],
+                weight: self.weight[lane],
+                along: self.along[lane],
+                depth: self.depth[lane],
+                floor: self.floor[lane],
+            },
         }
     }
 
@@ -157,11 +206,11 @@ impl<const N: usize> Packet<N> {
     /// of t itself; see [`common::shape::ExactRay::margin`].
     #[inline(always)]
     pub fn margin(&self, lane: usize) -> f32 {
-        self.far[lane] / self.step[lane] * 2f32.powi(-20)
+        self.reach[lane] * MARGIN
     }
 
     /// A bit for every child whose box one of the rays may meet inside the interval, and where
-    /// it enters them. Written without closures, see [`common::simd`].
+    /// it enters them.
     #[inline(always)]
     pub fn meet<S: Simd>(
         &self,
@@ -171,26 +220,9 @@ impl<const N: usize> Packet<N> {
         interval: Interval,
         enter: &mut [f32; WIDTH],
     ) -> u32 {
-        let (near_x, far_x) = self.slab(simd, lane, node, 0);
-        let (near_y, far_y) = self.slab(simd, lane, node, 1);
-        let (near_z, far_z) = self.slab(simd, lane, node, 2);
-        let near = near_x.max(near_y).max(near_z.max(f32x8::splat(simd, interval.min)));
-        let far = far_x.min(far_y).min(far_z.min(f32x8::splat(simd, interval.max)));
+        let (near, lanes) = self.beam(lane).spread(simd, interval.min).meet(simd, node, interval.max);
         near.store_slice(enter);
-        near.simd_le(far).to_bitmask() as u32
-    }
-
-    #[inline(always)]
-    fn slab<S: Simd>(&self, simd: S, lane: usize, node: &WideNode, axis: usize) -> (f32x8<S>, f32x8<S>) {
-        let inverse = f32x8::splat(simd, self.inverse[axis][lane]);
-        let sides = &node.side[axis];
-        let first = (self.backward[lane] >> axis & 1) as usize;
-        let near = f32x8::from_slice(simd, &sides[first]);
-        let far = f32x8::from_slice(simd, &sides[first ^ 1]);
-        (
-            near.mul_sub(inverse, f32x8::splat(simd, self.near_offset[axis][lane])),
-            far.mul_sub(inverse, f32x8::splat(simd, self.far_offset[axis][lane])),
-        )
+        lanes
     }
 }
 

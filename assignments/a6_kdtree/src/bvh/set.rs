@@ -1,6 +1,6 @@
 //! Sets of items, which are runs in an array, and how one becomes two.
 
-use super::split::{Cut, Item, Lanes, NOTHING, best_cut, center, half_area, measure, stored};
+use super::split::{Cut, Item, Lanes, NOTHING, best_cut, center, measure, stored};
 use common::simd::{self, Simd, SimdBase, dispatch, f32x8};
 
 /// Below this depth sets are halved by number, which ends after at most 32 more levels.
@@ -13,8 +13,6 @@ pub struct Set {
     pub bounds: Lanes,
     /// The box of the items' doubled centres.
     centers: Lanes,
-    /// Half the surface of `bounds`.
-    pub area: f32,
     /// The run in the array of all items.
     pub first: u32,
     /// Number of items.
@@ -63,13 +61,13 @@ fn run_of<'a, T>(rest: &mut &'a mut [T], skip: usize, len: usize) -> &'a mut [T]
 impl Set {
     /// No items.
     pub const EMPTY: Self =
-        Self { bounds: NOTHING, centers: NOTHING, area: 0.0, first: 0, len: 0, depth: 0, array: 0, shift: 0 };
+        Self { bounds: NOTHING, centers: NOTHING, first: 0, len: 0, depth: 0, array: 0, shift: 0 };
 
     /// The run of all of `items`, which is at `first` of the first array.
     pub fn all(items: &[Item], first: usize, shift: u32) -> Self {
         let [bounds, centers] = dispatch!(simd::level(), s => measure(s, items));
         let (first, len) = (first as u32, items.len() as u32);
-        Self { bounds, centers, area: half_area(&bounds), first, len, shift, ..Self::EMPTY }
+        Self { bounds, centers, first, len, shift, ..Self::EMPTY }
     }
 
     /// Whether it is a leaf. A block costs what a node costs, so cutting one never pays.
@@ -113,9 +111,14 @@ impl Set {
     }
 
     fn parts(&self, left: usize, array: usize, boxes: [Lanes; 2], right_boxes: [Lanes; 2]) -> [Self; 2] {
-        let part = |first: u32, len: u32, [bounds, centers]: [Lanes; 2]| {
-            let area = half_area(&bounds);
-            Self { bounds, centers, area, first, len, depth: self.depth + 1, array, ..*self }
+        let part = |first: u32, len: u32, [bounds, centers]: [Lanes; 2]| Self {
+            bounds,
+            centers,
+            first,
+            len,
+            depth: self.depth + 1,
+            array,
+            ..*self
         };
         let left = left as u32;
         [part(self.first, left, boxes), part(self.first + left, self.len - left, right_boxes)]

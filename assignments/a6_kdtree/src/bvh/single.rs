@@ -1,15 +1,17 @@
 //! One ray through the tree.
 
-use super::packet::{Packet, first_child};
-use super::stack::{Stack, Waiting};
-use super::wide::{Bvh, Held, WIDTH};
+use super::beam::Spread;
+use super::packet::Packet;
+use super::stack::Stack;
+use super::walk::{Visit, walk};
+use super::wide::{Bvh, Held, WIDTH, WideNode};
 use common::accel::Job;
 use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::Interval;
 use common::ray::Ray;
 use common::shape::ExactRay;
-use common::simd::{Simd, SimdBase, SimdMask, f32x8};
+use common::simd::{Simd, SimdBase};
 
 /// More than the rounding of t at both sides of a comparison; relative to t.
 const ROUNDING: f32 = 1.0 / (1 << 20) as f32;
@@ -20,12 +22,6 @@ const ROUNDING: f32 = 1.0 / (1 << 20) as f32;
 pub fn limit(t: f32, margin: f32) -> f32 {
     // A branch, so that the first node need not wait for the margin of an endless ray.
     if t == f32::INFINITY { t } else { t + t.abs() * ROUNDING + margin }
-}
-
-/// A bit for every child that is entered no later than `max`.
-#[inline(always)]
-pub fn entered_before<S: Simd>(simd: S, enter: &[f32; WIDTH], max: f32) -> u32 {
-    f32x8::from_slice(simd, enter).simd_le(f32x8::splat(simd, max)).to_bitmask() as u32
 }
 
 /// One ray of a packet, and the stretch in which hits count.
@@ -40,6 +36,83 @@ pub struct Query<'p, const N: usize> {
     pub interval: Interval,
 }
 
+impl<const N: usize> Query<'_, N> {
+    /// The ray for box tests.
+    #[inline(always)]
+    fn beam<S: Simd>(&self, simd: S) -> Spread<S> {
+        self.packet.beam(self.lane).spread(simd, self.interval.min)
+    }
+
+    /// Until where boxes matter if hits do until `t`.
+    #[inline(always)]
+    fn limit(&self, t: f32) -> f32 {
+        limit(t, self.packet.margin(self.lane))
+    }
+}
+
+/// Looks for the first hit of a ray.
+struct First<'a, 'g, S: Simd> {
+    bvh: &'a Bvh<'g>,
+    beam: Spread<S>,
+    backward: u32,
+    margin: f32,
+    job: Job<'a>,
+    /// Hits later than this do not matter; known before the exact hit is.
+    last: f32,
+    best: Option<Hit>,
+}
+
+impl<S: Simd> Visit<S> for First<'_, '_, S> {
+    #[inline(always)]
+    fn backward(&self) -> u32 {
+        self.backward
+    }
+
+    #[inline(always)]
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+        let (near, lanes) = self.beam.meet(simd, node, max);
+        near.store_slice(enter);
+        lanes
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
+        let held = node.child[child].held();
+        self.last = self.bvh.nearest_held(simd, held, &self.job, self.last, &mut self.best, c);
+        limit(self.last, self.margin)
+    }
+}
+
+/// Looks for any hit of a ray.
+struct Blocked<'a, 'g, S: Simd> {
+    bvh: &'a Bvh<'g>,
+    beam: Spread<S>,
+    backward: u32,
+    job: Job<'a>,
+    max: f32,
+    hit: bool,
+}
+
+impl<S: Simd> Visit<S> for Blocked<'_, '_, S> {
+    #[inline(always)]
+    fn backward(&self) -> u32 {
+        self.backward
+    }
+
+    #[inline(always)]
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+        let (near, lanes) = self.beam.meet(simd, node, max);
+        near.store_slice(enter);
+        lanes
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
+        self.hit = self.bvh.any_held(simd, node.child[child].held(), &self.job, c);
+        if self.hit { f32::NEG_INFINITY } else { self.max }
+    }
+}
+
 impl Bvh<'_> {
     /// The better of `best` and the first hit of the ray.
     #[inline(always)]
@@ -48,57 +121,26 @@ impl Bvh<'_> {
         simd: S,
         query: &Query<N>,
         stack: &mut Stack,
-        mut best: Option<Hit>,
+        best: Option<Hit>,
         c: &mut Counters,
     ) -> Option<Hit> {
         let Query { packet, lane, ray, interval } = *query;
         let filter = &packet.filter(lane);
         // Hidden, or the compiler would spread all of it out for every ray, while most rays reach
         // two blocks or none.
-        let filter = std::hint::black_box(filter);
-        let margin = packet.margin(lane);
-        let backward = packet.backward[lane];
-        let job = Job { filter, ray, interval };
-        stack.clear();
-        let mut last = best.map_or(interval.max, |b| b.t);
-        let mut max = limit(last, margin);
-        let mut at = Waiting { enter: [0.0; WIDTH], node: 0, lanes: 0 };
-        at.lanes = packet.meet(simd, lane, &self.nodes[0], Interval { max, ..interval }, &mut at.enter);
-        c.cells += 1;
-        loop {
-            if at.lanes == 0 {
-                let Some(next) = stack.pop() else { return best };
-                at = next;
-                at.lanes &= entered_before(simd, &at.enter, max);
-                continue;
-            }
-            let node = &self.nodes[at.node];
-            let child = first_child(at.lanes, node.axis, backward);
-            at.lanes &= !(1 << child);
-            if self.is_large() {
-                self.prefetch(node.child[first_child(at.lanes, node.axis, backward)]);
-            }
-            match node.child[child].held() {
-                Held::Node(below) => {
-                    stack.push(&at);
-                    c.cells += 1;
-                    let (node, stretch) = (&self.nodes[below], Interval { max, ..interval });
-                    at.node = below;
-                    at.lanes = packet.meet(simd, lane, node, stretch, &mut at.enter);
-                    continue;
-                }
-                Held::Block(index, len) => {
-                    last = job.nearest_of(simd, &self.blocks[index], len, last, &mut best, c);
-                }
-                Held::Solids(first, count) => {
-                    let solids = self.solids[first..first + count].iter().copied();
-                    best = self.geometry.nearest_solid(solids, &ExactRay::new(ray), interval, best, c);
-                    last = best.map_or(last, |b| if b.t < last { b.t } else { last });
-                }
-            }
-            max = limit(last, margin);
-            at.lanes &= entered_before(simd, &at.enter, max);
-        }
+        let job = Job { filter: std::hint::black_box(filter), ray, interval };
+        let last = best.map_or(interval.max, |b| b.t);
+        let mut first = First {
+            bvh: self,
+            beam: query.beam(simd),
+            backward: packet.backward[lane],
+            margin: packet.margin(lane),
+            job,
+            last,
+            best,
+        };
+        walk(simd, self, stack, query.limit(last), &mut first, c);
+        first.best
     }
 
     /// Whether the ray hits anything.
@@ -112,46 +154,54 @@ impl Bvh<'_> {
     ) -> bool {
         let Query { packet, lane, ray, interval } = *query;
         let filter = &packet.filter(lane);
-        // Hidden, or the compiler would spread all of it out for every ray, while most rays reach
-        // two blocks or none.
-        let filter = std::hint::black_box(filter);
-        let backward = packet.backward[lane];
-        let job = Job { filter, ray, interval };
-        stack.clear();
-        let stretch = Interval { max: limit(interval.max, packet.margin(lane)), ..interval };
-        let mut at = Waiting { enter: [0.0; WIDTH], node: 0, lanes: 0 };
-        at.lanes = packet.meet(simd, lane, &self.nodes[0], stretch, &mut at.enter);
-        c.cells += 1;
-        loop {
-            if at.lanes == 0 {
-                let Some(next) = stack.pop() else { return false };
-                at = next;
+        // As above.
+        let job = Job { filter: std::hint::black_box(filter), ray, interval };
+        let max = query.limit(interval.max);
+        let mut blocked = Blocked {
+            bvh: self,
+            beam: query.beam(simd),
+            backward: packet.backward[lane],
+            job,
+            max,
+            hit: false,
+        };
+        walk(simd, self, stack, max, &mut blocked, c);
+        blocked.hit
+    }
+
+    /// Puts the better of `best` and the first hit in a leaf into `best`; see [`Job::nearest_of`].
+    #[inline(always)]
+    pub(super) fn nearest_held<S: Simd>(
+        &self,
+        simd: S,
+        held: Held,
+        job: &Job,
+        last: f32,
+        best: &mut Option<Hit>,
+        c: &mut Counters,
+    ) -> f32 {
+        match held {
+            Held::Block(index, len) => job.nearest_of(simd, &self.blocks[index], len, last, best, c),
+            Held::Solids(first, count) => {
+                let solids = self.solids[first..first + count].iter().copied();
+                let exact = ExactRay::new(job.ray);
+                *best = self.geometry.nearest_solid(solids, &exact, job.interval, *best, c);
+                best.map_or(last, |b| if b.t < last { b.t } else { last })
             }
-            let node = &self.nodes[at.node];
-            let child = first_child(at.lanes, node.axis, backward);
-            at.lanes &= !(1 << child);
-            if self.is_large() {
-                self.prefetch(node.child[first_child(at.lanes, node.axis, backward)]);
+            Held::Node(_) => last,
+        }
+    }
+
+    /// Whether anything in a leaf is hit.
+    #[inline(always)]
+    pub(super) fn any_held<S: Simd>(&self, simd: S, held: Held, job: &Job, c: &mut Counters) -> bool {
+        match held {
+            Held::Block(index, len) => job.any_of(simd, &self.blocks[index], len, c),
+            Held::Solids(first, count) => {
+                let solids = self.solids[first..first + count].iter().copied();
+                self.geometry.any_solid(solids, &ExactRay::new(job.ray), job.interval, c)
             }
-            match node.child[child].held() {
-                Held::Node(below) => {
-                    stack.push(&at);
-                    c.cells += 1;
-                    at.node = below;
-                    at.lanes = packet.meet(simd, lane, &self.nodes[below], stretch, &mut at.enter);
-                }
-                Held::Block(index, len) => {
-                    if job.any_of(simd, &self.blocks[index], len, c) {
-                        return true;
-                    }
-                }
-                Held::Solids(first, count) => {
-                    let solids = self.solids[first..first + count].iter().copied();
-                    if self.geometry.any_solid(solids, &ExactRay::new(ray), interval, c) {
-                        return true;
-                    }
-                }
-            }
+            Held::Node(_) => false,
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Questions to the tree: one ray, or many.
 
-use super::bundle::Bundle;
+use super::crowd::{Blocked, Nearest};
 use super::frustum::Frustum;
-use super::packet::{Packet, RAYS};
+use super::packet::Packet;
 use super::single::Query;
 use super::stack::Stack;
 use super::wide::Bvh;
@@ -50,48 +50,12 @@ impl Bvh<'_> {
         best: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
-        let mut stack = Stack::new();
-        for (rays, best) in rays.chunks(RAYS).zip(best.chunks_mut(RAYS)) {
-            let packet = Packet::of(simd, rays, &self.bounds);
-            let asked = usable(rays);
-            if let Some(frustum) = self.frustum(&packet, rays.len()) {
-                let bundle = Bundle { packet: &packet, frustum: &frustum, rays, asked, interval };
-                self.nearest_together(simd, &bundle, &mut stack, best, c);
-                continue;
-            }
-            for lane in 0..rays.len() {
-                if asked >> lane & 1 == 1 {
-                    let query = Query { packet: &packet, lane, ray: &rays[lane], interval };
-                    best[lane] = self.nearest_one(simd, &query, &mut stack, best[lane], c);
-                }
-            }
-        }
+        self.follow(simd, rays, interval, &mut Nearest { interval, best, stack: Stack::new() }, c);
     }
 
     #[inline(always)]
     fn any_in<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
-        let mut stack = Stack::new();
-        for (rays, hit) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {
-            let packet = Packet::of(simd, rays, &self.bounds);
-            let mut asked = usable(rays);
-            for (lane, hit) in hit.iter().enumerate() {
-                asked &= !(u32::from(*hit) << lane);
-            }
-            if let Some(frustum) = self.frustum(&packet, rays.len()) {
-                let bundle = Bundle { packet: &packet, frustum: &frustum, rays, asked, interval };
-                let bits = self.any_together(simd, &bundle, &mut stack, c);
-                for (lane, hit) in hit.iter_mut().enumerate() {
-                    *hit |= bits >> lane & 1 == 1;
-                }
-                continue;
-            }
-            for lane in 0..rays.len() {
-                if asked >> lane & 1 == 1 {
-                    let query = Query { packet: &packet, lane, ray: &rays[lane], interval };
-                    hit[lane] = self.any_one(simd, &query, &mut stack, c);
-                }
-            }
-        }
+        self.follow(simd, rays, interval, &mut Blocked { interval, hit, stack: Stack::new() }, c);
     }
 }
 
@@ -101,19 +65,9 @@ const BUNDLE: usize = 4;
 impl Bvh<'_> {
     /// What encloses a packet's rays, if they are worth following together.
     #[inline(always)]
-    fn frustum(&self, packet: &Packet, rays: usize) -> Option<Frustum> {
+    pub(super) fn frustum(&self, packet: &Packet, rays: usize) -> Option<Frustum> {
         if rays < BUNDLE { None } else { Frustum::around(packet, &self.bounds) }
     }
-}
-
-/// A bit for each ray that can hit anything at all.
-#[inline(always)]
-fn usable(rays: &[Ray]) -> u32 {
-    let mut bits = 0;
-    for (lane, ray) in rays.iter().enumerate() {
-        bits |= u32::from(ray.is_usable()) << lane;
-    }
-    bits
 }
 
 impl Accel for Bvh<'_> {

@@ -61,13 +61,16 @@ impl Child {
         Self(SOLIDS | (first as u32) << COUNT_BITS & INDEX | (len as u32))
     }
 
-    /// The same, where so many nodes and blocks come before those that were counted.
-    pub fn moved(self, nodes: usize, blocks: usize) -> Self {
-        match self.held() {
-            Held::Node(index) => Self::node(index + nodes),
-            Held::Block(index, len) => Self::block(index + blocks, len),
-            Held::Solids(..) => self,
-        }
+    /// Whether it holds a node.
+    #[inline(always)]
+    pub fn is_node(self) -> bool {
+        self.0 & !INDEX == 0
+    }
+
+    /// The number of the node that it holds.
+    #[inline(always)]
+    pub fn index(self) -> usize {
+        (self.0 & INDEX) as usize
     }
 
     /// What it holds.
@@ -95,7 +98,7 @@ pub struct Bvh<'g> {
 }
 
 /// Nodes of a tree of some 16 MiB.
-const LARGE: usize = 16384;
+const LARGE: usize = 8192;
 
 impl Bvh<'_> {
     /// Whether rays should ask the memory ahead. What fits a processor's caches arrives in time
@@ -109,16 +112,20 @@ impl Bvh<'_> {
     #[inline(always)]
     pub(super) fn prefetch(&self, child: Child) {
         match child.held() {
-            Held::Node(index) => {
-                let node = &self.nodes[index];
-                for sides in &node.side {
-                    prefetch(&sides[0]);
-                }
-                prefetch(&node.child);
-            }
+            Held::Node(index) => self.prefetch_node(index),
             Held::Block(index, _) => self.blocks[index].prefetch(),
             Held::Solids(..) => {}
         }
+    }
+
+    /// Asks the memory for a node, without waiting.
+    #[inline(always)]
+    pub(super) fn prefetch_node(&self, index: usize) {
+        let node = &self.nodes[index];
+        for sides in &node.side {
+            prefetch(&sides[0]);
+        }
+        prefetch(&node.child);
     }
 
     /// Bytes that it takes.

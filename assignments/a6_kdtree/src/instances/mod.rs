@@ -12,7 +12,6 @@ mod part;
 mod placement;
 mod search;
 mod validate;
-mod walk;
 
 pub use part::Summary;
 

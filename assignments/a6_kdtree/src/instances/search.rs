@@ -4,11 +4,12 @@ use super::Instances;
 use super::object_ray::ObjectRay;
 use super::part::Part;
 use super::placement::Placement;
-use super::walk::{Visit, walk};
 use crate::bvh::Bvh;
 use crate::bvh::packet::Packet;
 use crate::bvh::single::limit;
-use crate::bvh::wide::Held;
+use crate::bvh::stack::Stack;
+use crate::bvh::walk::{Visit, walk};
+use crate::bvh::wide::{Held, WIDTH, WideNode};
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit, hit_triangle};
 use common::math::Interval;
@@ -48,8 +49,8 @@ impl Instances<'_> {
         let margin = packet.margin(0);
         let goal = Goal::<ANY> { ray, interval, best };
         let stretch = widened(interval, &goal, margin);
-        let mut parts = Parts { scene: self, margin, goal };
-        walk(simd, &self.top, &packet, stretch, &mut parts, c);
+        let mut parts = Parts { scene: self, packet: &packet, stretch, margin, goal };
+        walk(simd, &self.top, &mut Stack::new(), stretch.max, &mut parts, c);
         parts.goal.best
     }
 }
@@ -82,13 +83,26 @@ fn widened<const ANY: bool>(interval: Interval, goal: &Goal<ANY>, margin: f32) -
 /// At the leaves of the top level.
 struct Parts<'a, 'g, const ANY: bool> {
     scene: &'a Instances<'g>,
+    packet: &'a Packet<1>,
+    stretch: Interval,
     margin: f32,
     goal: Goal<'a, ANY>,
 }
 
-impl<const ANY: bool> Visit for Parts<'_, '_, ANY> {
+impl<S: Simd, const ANY: bool> Visit<S> for Parts<'_, '_, ANY> {
     #[inline(always)]
-    fn leaf<S: Simd>(&mut self, simd: S, held: Held, c: &mut Counters) -> f32 {
+    fn backward(&self) -> u32 {
+        self.packet.backward[0]
+    }
+
+    #[inline(always)]
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+        self.packet.meet(simd, 0, node, Interval { max, ..self.stretch }, enter)
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
+        let held = node.child[child].held();
         let Held::Solids(first, count) = held else { return self.goal.limit(self.margin) };
         for &index in &self.scene.top.solids[first..first + count] {
             let part = &self.scene.parts[index as usize];
@@ -125,9 +139,17 @@ impl<const ANY: bool> Parts<'_, '_, ANY> {
         let stretch = widened(interval, &self.goal, margin);
         let exact = ExactRay::new(ray);
         let geometry = self.scene.geometry;
-        let mut blocks =
-            Blocks { geometry, tree, placement, object: &object, exact, margin, goal: &mut self.goal };
-        walk(simd, tree, &object.packet, stretch, &mut blocks, c);
+        let mut blocks = Blocks {
+            geometry,
+            tree,
+            placement,
+            object: &object,
+            stretch,
+            exact,
+            margin,
+            goal: &mut self.goal,
+        };
+        walk(simd, tree, &mut Stack::new(), stretch.max, &mut blocks, c);
     }
 }
 
@@ -137,14 +159,26 @@ struct Blocks<'a, 'g, 'r, const ANY: bool> {
     tree: &'a Bvh<'g>,
     placement: &'a Placement,
     object: &'a ObjectRay,
+    stretch: Interval,
     exact: ExactRay,
     margin: f32,
     goal: &'a mut Goal<'r, ANY>,
 }
 
-impl<const ANY: bool> Visit for Blocks<'_, '_, '_, ANY> {
+impl<S: Simd, const ANY: bool> Visit<S> for Blocks<'_, '_, '_, ANY> {
     #[inline(always)]
-    fn leaf<S: Simd>(&mut self, simd: S, held: Held, c: &mut Counters) -> f32 {
+    fn backward(&self) -> u32 {
+        self.object.packet.backward[0]
+    }
+
+    #[inline(always)]
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+        self.object.packet.meet(simd, 0, node, Interval { max, ..self.stretch }, enter)
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
+        let held = node.child[child].held();
         let Held::Block(index, len) = held else { return self.goal.limit(self.margin) };
         let block = &self.tree.blocks[index];
         c.intersections += len as u64;

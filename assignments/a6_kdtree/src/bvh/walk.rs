@@ -1,0 +1,78 @@
+//! The way through the tree, for one ray and for many, whatever is done at leaves.
+
+use super::packet::first_child;
+use super::stack::Stack;
+use super::wide::{Bvh, WIDTH, WideNode};
+use common::counters::Counters;
+use common::simd::{Simd, SimdBase, SimdMask, f32x8};
+
+/// Who goes through the tree.
+pub trait Visit<S: Simd> {
+    /// A bit for every axis along which it goes towards smaller coordinates.
+    fn backward(&self) -> u32;
+
+    /// A bit for every child whose box may be met no later than `max`, and where it is entered.
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32;
+
+    /// Looks into a child that is a leaf. Returns where the search may end: boxes that are entered
+    /// later need not be looked at; −∞ if none need be.
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, counters: &mut Counters) -> f32;
+}
+
+/// Visits leaves that may be met no later than `max`, near ones first by and large.
+#[inline(always)]
+pub fn walk<S: Simd>(
+    simd: S,
+    tree: &Bvh,
+    stack: &mut Stack,
+    mut max: f32,
+    visit: &mut impl Visit<S>,
+    c: &mut Counters,
+) {
+    let Some(mut node) = tree.nodes.first() else { return };
+    let (backward, large) = (visit.backward(), tree.is_large());
+    stack.clear();
+    let mut level = 0;
+    let mut visited = 1;
+    let top = stack.at(0);
+    top.node = 0;
+    let mut lanes = visit.meet(simd, node, max, &mut top.enter);
+    loop {
+        if lanes == 0 {
+            let Some(below) = stack.below(level) else { break };
+            level = below;
+            let top = stack.at(level);
+            lanes = top.lanes & entered_before(simd, &top.enter, max);
+            node = &tree.nodes[top.node as usize];
+            continue;
+        }
+        let child = first_child(lanes, node.axis, backward);
+        lanes &= !(1 << child);
+        let held = node.child[child];
+        if large {
+            tree.prefetch(node.child[first_child(lanes, node.axis, backward)]);
+        }
+        if held.is_node() {
+            stack.at(level).lanes = lanes;
+            level = stack.above(level, lanes != 0);
+            visited += 1;
+            node = &tree.nodes[held.index()];
+            let top = stack.at(level);
+            top.node = held.index() as u32;
+            lanes = visit.meet(simd, node, max, &mut top.enter);
+            continue;
+        }
+        max = visit.leaf(simd, node, child, c);
+        if max == f32::NEG_INFINITY {
+            break;
+        }
+        lanes &= entered_before(simd, &stack.at(level).enter, max);
+    }
+    c.cells += visited;
+}
+
+/// A bit for every child that is entered no later than `max`.
+#[inline(always)]
+fn entered_before<S: Simd>(simd: S, enter: &[f32; WIDTH], max: f32) -> u32 {
+    f32x8::from_slice(simd, enter).simd_le(f32x8::splat(simd, max)).to_bitmask() as u32
+}
