@@ -7,128 +7,18 @@
 use super::bundle::{Bundle, lanes_of};
 use super::frustum::starts_together;
 use super::packet::{Packet, RAYS};
+use super::purpose::{At, Purpose};
 use super::single::Query;
 use super::slot::{DEEPEST, Slot};
-use super::stack::Stack;
-use super::wide::{Bvh, Held};
+use super::wide::Bvh;
 use common::accel::Job;
 use common::counters::Counters;
-use common::geometry::Hit;
 use common::math::Interval;
 use common::ray::Ray;
 use common::simd::Simd;
 
 /// Rays under way at a time, a power of two.
 const SLOTS: usize = 16;
-
-/// What rays are followed for.
-pub trait Purpose {
-    /// Whether a ray need not be followed.
-    fn is_settled(&self, ray: usize) -> bool;
-
-    /// Hits of a ray later than this do not matter.
-    fn last(&self, ray: usize) -> f32;
-
-    /// Looks into a leaf. Returns until where hits matter from now on; −∞ if none do.
-    fn leaf<S: Simd>(&mut self, simd: S, bvh: &Bvh, held: Held, at: &At, c: &mut Counters) -> f32;
-
-    /// Follows one ray all the way.
-    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters);
-
-    /// Follows rays from number `first` on, which run alongside each other.
-    fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters);
-}
-
-/// A ray at a leaf.
-pub struct At<'a> {
-    job: Job<'a>,
-    /// Its number.
-    ray: usize,
-    /// Hits later than this do not matter.
-    last: f32,
-}
-
-/// Looks for the first hit of each ray.
-pub struct Nearest<'a> {
-    /// Where hits count.
-    pub interval: Interval,
-    /// The best so far, by ray.
-    pub best: &'a mut [Option<Hit>],
-    /// For rays that are not followed in slots.
-    pub stack: Stack,
-}
-
-impl Purpose for Nearest<'_> {
-    #[inline(always)]
-    fn is_settled(&self, _: usize) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn last(&self, ray: usize) -> f32 {
-        self.best[ray].map_or(self.interval.max, |b| b.t)
-    }
-
-    #[inline(always)]
-    fn leaf<S: Simd>(&mut self, simd: S, bvh: &Bvh, held: Held, at: &At, c: &mut Counters) -> f32 {
-        bvh.nearest_held(simd, held, &at.job, at.last, &mut self.best[at.ray], c)
-    }
-
-    #[inline(always)]
-    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters) {
-        self.best[ray] = bvh.nearest_one(simd, query, &mut self.stack, self.best[ray], c);
-    }
-
-    #[inline(always)]
-    fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters) {
-        let best = &mut self.best[first..first + bundle.rays.len()];
-        bvh.nearest_together(simd, bundle, &mut self.stack, best, c);
-    }
-}
-
-/// Looks for any hit of each ray.
-pub struct Blocked<'a> {
-    /// Where hits count.
-    pub interval: Interval,
-    /// Whether there is one, by ray.
-    pub hit: &'a mut [bool],
-    /// For rays that are not followed in slots.
-    pub stack: Stack,
-}
-
-impl Purpose for Blocked<'_> {
-    #[inline(always)]
-    fn is_settled(&self, ray: usize) -> bool {
-        self.hit[ray]
-    }
-
-    #[inline(always)]
-    fn last(&self, _: usize) -> f32 {
-        self.interval.max
-    }
-
-    #[inline(always)]
-    fn leaf<S: Simd>(&mut self, simd: S, bvh: &Bvh, held: Held, at: &At, c: &mut Counters) -> f32 {
-        if bvh.any_held(simd, held, &at.job, c) {
-            self.hit[at.ray] = true;
-            return f32::NEG_INFINITY;
-        }
-        at.last
-    }
-
-    #[inline(always)]
-    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters) {
-        self.hit[ray] = bvh.any_one(simd, query, &mut self.stack, c);
-    }
-
-    #[inline(always)]
-    fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters) {
-        let bits = bvh.any_together(simd, bundle, &mut self.stack, c);
-        for (lane, hit) in self.hit[first..first + bundle.rays.len()].iter_mut().enumerate() {
-            *hit |= bits >> lane & 1 == 1;
-        }
-    }
-}
 
 /// Numbers of slots.
 #[derive(Clone, Copy)]
@@ -206,6 +96,13 @@ impl Bvh<'_> {
         c: &mut Counters,
     ) {
         let mut queue = Queue { rays, packet: Packet::EMPTY, first: 0, asked: 0, seen: 0 };
+        if rays.len() < SLOTS {
+            // Too few to hide behind each other.
+            while queue.seen < rays.len() {
+                self.prepare(simd, &mut queue, true, interval, purpose, c);
+            }
+            return;
+        }
         let mut slots = [const { Slot::EMPTY }; SLOTS];
         let all = Line { slots: std::array::from_fn(|i| i as u8), len: SLOTS };
         let mut now = Lines { node: Line::EMPTY, leaf: Line::EMPTY, idle: all };
@@ -265,7 +162,7 @@ impl Bvh<'_> {
                 if queue.seen == queue.rays.len() {
                     return;
                 }
-                self.prepare(simd, queue, interval, purpose, c);
+                self.prepare(simd, queue, false, interval, purpose, c);
                 continue;
             }
             let lane = queue.asked.trailing_zeros() as usize % RAYS;
@@ -277,12 +174,13 @@ impl Bvh<'_> {
         }
     }
 
-    /// Prepares the next eight rays; follows them at once if they are a bundle.
+    /// Prepares the next eight rays; follows them at once if they are a bundle, or are to go alone.
     #[inline(always)]
     fn prepare<S: Simd>(
         &self,
         simd: S,
         queue: &mut Queue,
+        alone: bool,
         interval: Interval,
         purpose: &mut impl Purpose,
         c: &mut Counters,
@@ -301,7 +199,7 @@ impl Bvh<'_> {
                 Bundle { packet: &queue.packet, frustum: &frustum, rays, asked: queue.asked, interval };
             purpose.bundle(simd, self, &bundle, queue.first, c);
             queue.asked = 0;
-        } else if self.is_alone_better(&queue.packet) {
+        } else if alone || self.is_alone_better(&queue.packet) {
             for lane in lanes_of(queue.asked) {
                 let query = Query { packet: &queue.packet, lane, ray: &rays[lane], interval };
                 purpose.alone(simd, self, &query, queue.first + lane, c);

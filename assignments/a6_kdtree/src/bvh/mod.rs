@@ -12,6 +12,7 @@ mod collapse;
 mod crowd;
 mod frustum;
 pub(crate) mod packet;
+mod purpose;
 mod set;
 pub(crate) mod single;
 mod slabs;

@@ -1,8 +1,8 @@
 //! Questions to the tree: one ray, or many.
 
-use super::crowd::{Blocked, Nearest};
 use super::frustum::Frustum;
 use super::packet::Packet;
+use super::purpose::{Blocked, Nearest};
 use super::single::Query;
 use super::stack::Stack;
 use super::wide::Bvh;
