@@ -4,5 +4,6 @@
 //! breaks what was whole. [`Goal`] says when to stop, [`Method`] what "least" means.
 
 mod goal;
+pub mod measure;
 
 pub use goal::{Goal, Method, Settings, Simplified, Stopped};
