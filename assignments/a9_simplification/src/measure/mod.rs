@@ -27,7 +27,7 @@ use common::math::DVec3;
 use common::mesh::Mesh;
 use edges::Edges;
 use surface::Surface;
-use weld::Welded;
+pub(crate) use weld::Welded;
 
 /// Points of each surface's area that distances are taken at unless one says otherwise.
 pub const SAMPLES: usize = 200_000;
