@@ -33,16 +33,25 @@ use texture::TexturedScene;
 pub fn run(args: &AccelArgs) -> Result<(), AppError> {
     let args = &args.with_outputs();
     args.check()?;
-    let (studio, mut report) = Studio::open_textured(args.cast(), &args.grid.outputs())?;
+    let (studio, report) = Studio::open_textured(args.cast(), &args.grid.outputs())?;
+    draw(args, &studio, report)
+}
+
+/// What is left of [`run`] when the scene is open: renders what was asked for, writes it. `args`
+/// are those of [`AccelArgs::with_outputs`].
+///
+/// # Errors
+/// An unreadable texture, a grid that is too large, an unwritable picture.
+pub fn draw(args: &AccelArgs, studio: &Studio, mut report: Report) -> Result<(), AppError> {
     let load = || TexturedScene::load(&studio.scene, &studio.geometry, &args.cast().input);
     let scene = report.time("textures", load)?;
     report.notes.extend(scene.describe());
-    args.grid.whitted.phong.draw_preview(&studio, &scene, &mut report)?;
-    let cells = args.grid.cells(&studio)?;
+    args.grid.whitted.phong.draw_preview(studio, &scene, &mut report)?;
+    let cells = args.grid.cells(studio)?;
     if args.grid.shows_cells() {
         report.cells = cells.as_ref().map(|c| c.count.map(|n| n as u32));
         let heat = args.heat_picture().into_iter().collect();
-        return a5_grid::picture_of_cells(&args.grid, &studio, cells, heat, report);
+        return a5_grid::picture_of_cells(&args.grid, studio, cells, heat, report);
     }
     let tracer = report.time("build", || {
         let tracer = args.structure(&studio.geometry, cells)?;
@@ -52,8 +61,8 @@ pub fn run(args: &AccelArgs) -> Result<(), AppError> {
         Ok::<_, AppError>(tracer)
     })?;
     match tracer.kd_tree().filter(|_| args.visualize_kdtree) {
-        Some(tree) => draw_boxes(args, &studio, tree, &mut report)?,
-        None => draw_scene(args, &studio, &scene, &tracer, &mut report)?,
+        Some(tree) => draw_boxes(args, studio, tree, &mut report)?,
+        None => draw_scene(args, studio, &scene, &tracer, &mut report)?,
     }
     report.cells = tracer.cells();
     report.notes.extend(tracer.figures(&report.counters));

@@ -14,7 +14,7 @@ pub enum Goal {
 }
 
 /// What a step costs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Method {
     /// Quadrics that are summed up as vertices merge (Garland & Heckbert 1997): fastest.
     Qem,

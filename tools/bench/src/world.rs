@@ -3,8 +3,8 @@
 use common::cli::AppError;
 use common::geometry::Geometry;
 use common::math::{Bounds, DVec3, Vec3};
-use common::mesh::{Mesh, MeshError, read_obj};
-use common::scene::{MeshSource, Scene, parse_str};
+use common::mesh::{Mesh, read_obj};
+use common::scene::{Scene, parse_str};
 use modeller::generated::{Generated, Recipe};
 use std::path::Path;
 use std::sync::Arc;
@@ -22,21 +22,12 @@ pub struct World {
     pub geometry: Geometry,
 }
 
-/// Every name stands for the same mesh.
-struct InMemory(Arc<Mesh>);
-
-impl MeshSource for InMemory {
-    fn mesh(&mut self, _: &str) -> Result<Arc<Mesh>, MeshError> {
-        Ok(Arc::clone(&self.0))
-    }
-}
-
 /// A scene whose text names one mesh, which is not in a file.
 ///
 /// # Errors
 /// If the text is no scene.
 pub fn scene_with(text: &str, mesh: &Arc<Mesh>) -> Result<Scene, AppError> {
-    Ok(parse_str("bench", text, &mut InMemory(Arc::clone(mesh)))?)
+    Ok(parse_str("bench", text, &mut Arc::clone(mesh))?)
 }
 
 impl World {

@@ -148,14 +148,20 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, MeshError> {
 
 /// Refuses headers that do not describe a mesh, or claim more than the file has bytes.
 fn check(header: &Header, bytes: usize) -> Result<(), MeshError> {
-    let has = |element: &str, property: &str| {
-        header.elements.get(element).is_some_and(|e| e.properties.contains_key(property))
+    let property = |element: &str, name: &str| {
+        Some(&header.elements.get(element)?.properties.get(name)?.data_type)
     };
-    if !["x", "y", "z"].iter().all(|name| has("vertex", name)) {
-        return Err(MeshError::new("this PLY file has no element `vertex` with x, y and z"));
+    let is_number = |name: &&str| matches!(property("vertex", name), Some(PropertyType::Scalar(_)));
+    let is_list = |name: &&str| match property("face", name) {
+        Some(PropertyType::List(_, of)) => !matches!(of, ScalarType::Float | ScalarType::Double),
+        _ => false,
+    };
+    if !["x", "y", "z"].iter().all(is_number) {
+        return Err(MeshError::new("this PLY file has no element `vertex` with numbers x, y and z"));
     }
-    if !INDICES.iter().any(|name| has("face", name)) {
-        return Err(MeshError::new("this PLY file has no element `face` with a list `vertex_indices`"));
+    if !INDICES.iter().any(is_list) {
+        let message = "this PLY file has no element `face` with a list of whole numbers `vertex_indices`";
+        return Err(MeshError::new(message));
     }
     for (name, element) in &header.elements {
         // An element takes a byte at least, unless it has no property at all.
@@ -170,6 +176,8 @@ fn check(header: &Header, bytes: usize) -> Result<(), MeshError> {
 /// The crate's error, on one line.
 fn refused(error: ParseError) -> MeshError {
     let text = error.to_string();
+    // What follows tells of the crate's grammar.
+    let text = text.split("\n\tError:").next().unwrap_or_default();
     let words: Vec<&str> = text.split_whitespace().collect();
     let message = words.join(" ");
     match error.line() {

@@ -49,7 +49,9 @@ fn read_binary(bytes: &[u8]) -> Result<Vec<Triangle>, MeshError> {
     let there = (bytes.len() - HEADER) / TRIANGLE;
     if there < count {
         let message = format!("this binary STL file says {count} triangles, but ends after {there}");
-        return Err(MeshError::new(message));
+        // A text without its first word says nothing that makes sense.
+        let hint = if there == 0 { " (a text begins with `solid`)" } else { "" };
+        return Err(MeshError::new(message + hint));
     }
     // Whatever the comment says, this is not to be taken for a text.
     let plain = [&[0; HEADER - 4], &bytes[HEADER - 4..]].concat();

@@ -157,7 +157,8 @@ fn vertices_of_several_fans(surface: &Surface, fans: &Union) -> usize {
 }
 
 /// At either end of a boundary edge stands an open fan, which one other boundary edge ends; so
-/// edges that share a fan follow each other, and a vertex where two loops touch has two fans.
+/// edges that share a fan follow each other. Where two holes touch at a vertex, one rim goes round
+/// both, as it would if the vertex were drawn apart.
 fn count_loops(edges: &Edges, fans: &mut Union) -> usize {
     let mut starts = Vec::new();
     for edge in edges.iter().filter(|edge| edge.triangles() == 1) {

@@ -7,6 +7,7 @@
 
 use super::point::nearest_on_triangle;
 use common::math::{Bounds, DVec3, Vec3};
+use common::mesh::Mesh;
 
 /// Triangles of a leaf, at most.
 const LEAF: usize = 4;
@@ -79,6 +80,12 @@ impl Tree {
         let numbers: Vec<u32> = items.iter().map(|item| item.number).collect();
         let corners = numbers.iter().map(|&n| corners[n as usize]).collect();
         Self { nodes, corners, numbers }
+    }
+
+    /// A tree over the triangles of a mesh.
+    pub fn of_mesh(mesh: &Mesh) -> Self {
+        let corner = |v: u32| mesh.positions[v as usize].as_dvec3();
+        Self::new(&mesh.triangles.iter().map(|t| t.map(corner)).collect::<Vec<_>>())
     }
 
     /// The triangle that is nearest to `p`; `None` if there is none at all. `hint` is the place of
