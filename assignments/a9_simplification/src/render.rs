@@ -22,6 +22,8 @@ const BACKGROUND: Vec3 = Vec3::new(0.16, 0.2, 0.28);
 const STEPS: f64 = 1e6;
 /// Half the camera's angle of view.
 const HALF_ANGLE: f64 = 15.0;
+/// How much further off the camera stands than it must.
+const MARGIN: f64 = 1.04;
 /// What a camera looks along that stands a little above, in front, and to the right.
 const VIEW: DVec3 = DVec3::new(-0.5, -0.55, -1.0);
 
@@ -93,16 +95,9 @@ fn studio(mesh: &Mesh, camera: Option<Camera>, size: Size) -> Result<Studio, App
     Ok(Studio { scene, geometry, camera, size })
 }
 
-/// A scene of one mesh whose camera sees all of the ball around its box.
+/// A scene of one mesh whose camera sees all of it.
 fn stage(mesh: &Mesh) -> String {
-    let used = mesh.triangles.iter().flatten().map(|&v| mesh.positions[v as usize].as_dvec3());
-    let extent = used.fold(None, |box_: Option<(DVec3, DVec3)>, p| {
-        Some(box_.map_or((p, p), |(low, high)| (low.min(p), high.max(p))))
-    });
-    let (low, high) = extent.unwrap_or_default();
-    let (center, radius) = ((low + high) / 2.0, (high - low).length() / 2.0);
-    let away = if radius > 0.0 { radius / HALF_ANGLE.to_radians().sin() } else { 1.0 };
-    let eye = center - VIEW.normalize() * away;
+    let eye = eye(mesh);
     let numbers = |v: DVec3| format!("{:e} {:e} {:e}", v.x, v.y, v.z);
     format!(
         "PerspectiveCamera {{ center {} direction {} up 0 1 0 angle {} }}
@@ -117,6 +112,24 @@ fn stage(mesh: &Mesh) -> String {
     )
 }
 
+/// Where the camera stands, looking along [`VIEW`] at the middle of the mesh's box: as near as all
+/// vertices allow, and a little further.
+fn eye(mesh: &Mesh) -> DVec3 {
+    let used = || mesh.triangles.iter().flatten().map(|&v| mesh.positions[v as usize].as_dvec3());
+    let first = used().next().unwrap_or_default();
+    let (low, high) = used().fold((first, first), |(low, high), p| (low.min(p), high.max(p)));
+    let (center, ahead) = ((low + high) / 2.0, VIEW.normalize());
+    let right = ahead.cross(DVec3::Y).normalize();
+    let up = right.cross(ahead);
+    let spread = HALF_ANGLE.to_radians().tan();
+    let needed = |p: DVec3| {
+        let aside = right.dot(p - center).abs().max(up.dot(p - center).abs());
+        aside / spread - ahead.dot(p - center)
+    };
+    let away = used().map(needed).fold(0.0, f64::max) * MARGIN;
+    center - ahead * if away > 0.0 { away } else { 1.0 }
+}
+
 /// The mesh of a studio in flat shades, so that every triangle can be seen.
 fn shaded(studio: &Studio, args: &WhittedArgs) -> Film {
     let accel = Bvh::new(&studio.geometry);
@@ -124,7 +137,12 @@ fn shaded(studio: &Studio, args: &WhittedArgs) -> Film {
     render(studio, args, &accel, &layer).0
 }
 
-fn render(studio: &Studio, args: &WhittedArgs, accel: &dyn Accel, layer: &dyn Layer) -> (Film, Option<String>) {
+fn render(
+    studio: &Studio,
+    args: &WhittedArgs,
+    accel: &dyn Accel,
+    layer: &dyn Layer,
+) -> (Film, Option<String>) {
     let (mut films, _) = studio.render(args.cast(), accel, &[layer]);
     let mut film = films.remove(0);
     let note = layer.develop(&mut film);

@@ -47,7 +47,8 @@ fn attributes_survive_where_the_kind_has_them() {
         let obj = there_and_back(Kind::Obj, &full);
         let of = |mesh: &Mesh| -> Vec<_> {
             let list = mesh.triangles.as_flattened().iter().map(|&v| v as usize);
-            list.map(|v| (mesh.positions[v], mesh.normals.get(v).copied(), mesh.uvs.get(v).copied())).collect()
+            list.map(|v| (mesh.positions[v], mesh.normals.get(v).copied(), mesh.uvs.get(v).copied()))
+                .collect()
         };
         assert!(of(&obj) == of(&full));
         assert_eq!(corners(&there_and_back(Kind::Stl, &full)), corners(&full));
@@ -85,10 +86,11 @@ fn ply_dialects() {
     assert_eq!(found.positions, [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)]);
     assert_eq!(found.triangles, [[0, 1, 2], [0, 1, 2], [0, 2, 3]]);
     // The same with the bytes of a big-endian machine.
-    let mut bytes = "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+    let mut bytes =
+        "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
         property float z\nelement face 1\nproperty list int ushort vertex_indices\nend_header\n"
-        .as_bytes()
-        .to_vec();
+            .as_bytes()
+            .to_vec();
     let points = [Vec3::ZERO, Vec3::X, Vec3::Y];
     bytes.extend(points.iter().flat_map(|p| p.to_array()).flat_map(f32::to_be_bytes));
     bytes.extend(3i32.to_be_bytes());

@@ -9,7 +9,9 @@ use shapes::{cube, square};
 
 fn refusal(kind: Kind, bytes: &[u8]) -> String {
     match kind.parse("bad", bytes) {
-        Ok(mesh) => panic!("{} triangles were read: {}", mesh.triangles.len(), String::from_utf8_lossy(bytes)),
+        Ok(mesh) => {
+            panic!("{} triangles were read: {}", mesh.triangles.len(), String::from_utf8_lossy(bytes))
+        }
         Err(error) => error.to_string(),
     }
 }
@@ -85,7 +87,9 @@ fn wrong_binary_stl_files() {
     assert!(refusal(Kind::Stl, &claims).contains("says 4294967295 triangles, but ends after 12"));
     let mut infinite = good.clone();
     infinite[84 + 50 * 2 + 12..][..4].copy_from_slice(&f32::INFINITY.to_le_bytes());
-    assert!(refusal(Kind::Stl, &infinite).contains("triangle 3 of this binary STL file has a corner that is not"));
+    assert!(
+        refusal(Kind::Stl, &infinite).contains("triangle 3 of this binary STL file has a corner that is not")
+    );
     assert!(refusal(Kind::Stl, &good[..50]).contains("at least 84 bytes"));
 }
 

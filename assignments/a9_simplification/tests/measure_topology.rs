@@ -22,14 +22,8 @@ fn a_cube() {
 #[test]
 fn places_that_are_named_several_times_count_once() {
     let ball = topology(&ball(5, 1.0));
-    let expected = Topology {
-        faces: 200,
-        vertices: 102,
-        edges: 300,
-        components: 1,
-        euler: 2,
-        ..Topology::default()
-    };
+    let expected =
+        Topology { faces: 200, vertices: 102, edges: 300, components: 1, euler: 2, ..Topology::default() };
     assert_eq!(ball, expected);
 }
 

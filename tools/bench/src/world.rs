@@ -47,17 +47,12 @@ impl World {
         Ok(Self { name: name.to_owned(), mesh, geometry })
     }
 
-    /// The mesh of a name: `bunny`, a recipe such as `sphere200k`, or an OBJ file.
+    /// The mesh of a name; see [`mesh_named`].
     ///
     /// # Errors
     /// If there is none of that name.
     pub fn named(name: &str) -> Result<Self, AppError> {
-        let file = if name == "bunny" { BUNNY } else { name };
-        if Path::new(file).extension().is_some_and(|e| e == "obj") {
-            return Self::new(name, read_obj(Path::new(file))?);
-        }
-        let recipe: Recipe = name.parse().map_err(AppError::Usage)?;
-        Self::new(name, plain(recipe.make()))
+        Self::new(name, mesh_named(name)?)
     }
 
     /// Corners of a triangle.
@@ -89,6 +84,19 @@ impl World {
         let b = self.bounds();
         (b.max.as_dvec3() + b.min.as_dvec3()) / 2.0
     }
+}
+
+/// The mesh of a name: `bunny`, a recipe such as `sphere200k`, or an OBJ file.
+///
+/// # Errors
+/// If there is none of that name.
+pub fn mesh_named(name: &str) -> Result<Mesh, AppError> {
+    let file = if name == "bunny" { BUNNY } else { name };
+    if Path::new(file).extension().is_some_and(|e| e == "obj") {
+        return Ok(read_obj(Path::new(file))?);
+    }
+    let recipe: Recipe = name.parse().map_err(AppError::Usage)?;
+    Ok(plain(recipe.make()))
 }
 
 /// A generated mesh in the house's form.

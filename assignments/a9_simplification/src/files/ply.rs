@@ -148,9 +148,8 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, MeshError> {
 
 /// Refuses headers that do not describe a mesh, or claim more than the file has bytes.
 fn check(header: &Header, bytes: usize) -> Result<(), MeshError> {
-    let property = |element: &str, name: &str| {
-        Some(&header.elements.get(element)?.properties.get(name)?.data_type)
-    };
+    let property =
+        |element: &str, name: &str| Some(&header.elements.get(element)?.properties.get(name)?.data_type);
     let is_number = |name: &&str| matches!(property("vertex", name), Some(PropertyType::Scalar(_)));
     let is_list = |name: &&str| match property("face", name) {
         Some(PropertyType::List(_, of)) => !matches!(of, ScalarType::Float | ScalarType::Double),

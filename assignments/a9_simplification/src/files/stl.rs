@@ -55,16 +55,13 @@ fn read_binary(bytes: &[u8]) -> Result<Vec<Triangle>, MeshError> {
     }
     // Whatever the comment says, this is not to be taken for a text.
     let plain = [&[0; HEADER - 4], &bytes[HEADER - 4..]].concat();
-    collect(&plain, |triangle| format!("triangle {triangle} of this binary STL file"))
-        .map_err(MeshError::new)
+    collect(&plain, |triangle| format!("triangle {triangle} of this binary STL file")).map_err(MeshError::new)
 }
 
 /// Reads a text. Its solids are made one, for the crate would stop behind the first.
 fn read_text(bytes: &[u8]) -> Result<Vec<Triangle>, MeshError> {
     let text = String::from_utf8_lossy(bytes);
-    let is_frame = |line: &&str| {
-        matches!(line.split_whitespace().next(), None | Some("solid" | "endsolid"))
-    };
+    let is_frame = |line: &&str| matches!(line.split_whitespace().next(), None | Some("solid" | "endsolid"));
     let numbered = text.split(['\n', '\r']).zip(1..);
     let body: Vec<(&str, usize)> = numbered.filter(|(line, _)| !is_frame(line)).collect();
     let mut plain = String::from("solid all\n");

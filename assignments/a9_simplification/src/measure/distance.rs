@@ -103,7 +103,8 @@ impl Sums {
         for p in range.map(point) {
             last = to.nearest(p, last.map(|n| n.place));
             let distance = last.map_or(f64::INFINITY, |n| n.distance());
-            let one = Self { squares: distance * distance, distances: distance, farthest: Some((distance, p)) };
+            let one =
+                Self { squares: distance * distance, distances: distance, farthest: Some((distance, p)) };
             sums = sums.and(one);
         }
         sums

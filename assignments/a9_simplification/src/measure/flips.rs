@@ -19,7 +19,7 @@ impl Flips {
         let count = simplified.corners.len();
         let flipped: Vec<usize> =
             (0..count).into_par_iter().filter(|&t| is_flipped(original, simplified, t)).collect();
-        let area: f64 = flipped.iter().map(|&t| simplified.area_of(t)).sum();
+        let area = flipped.iter().fold(0.0, |sum, &t| sum + simplified.area_of(t));
         let whole = simplified.area();
         Self { faces: flipped.len(), area: if whole > 0.0 { area / whole } else { 0.0 } }
     }

@@ -116,9 +116,8 @@ impl Tree {
                 stack.extend([at + node.skip as usize, at + 1]);
                 continue;
             }
-            let near = |&place: &usize| {
-                nearest_on_triangle(p, self.corners[place]).distance_squared(p) <= reach
-            };
+            let near =
+                |&place: &usize| nearest_on_triangle(p, self.corners[place]).distance_squared(p) <= reach;
             if node.places().filter(near).any(|place| test(self.numbers[place])) {
                 return true;
             }

@@ -33,7 +33,8 @@ pub fn run(args: &SimplifyArgs) -> Result<(), AppError> {
             report.time("simplify", || args.on_threads(|| simplify(&mesh, &goals, &settings)))??
         }
     };
-    report.levels = goals.iter().map(|goal| Some(*goal)).chain([None]).zip(&results).map(Level::new).collect();
+    report.levels =
+        goals.iter().map(|goal| Some(*goal)).chain([None]).zip(&results).map(Level::new).collect();
     if args.measures() {
         measure(args, &mesh, &results, &mut report)?;
     }
@@ -42,7 +43,7 @@ pub fn run(args: &SimplifyArgs) -> Result<(), AppError> {
         outputs.mesh.as_deref().map_or(Ok(()), |path| files::write(path, &result.mesh))?;
     }
     let pictures = outputs.iter().filter_map(|o| o.picture.as_deref()).zip(&films);
-    pictures.map(|(path, film)| picture::write(path, film, Transfer::Linear)).collect::<Result<(), _>>()?;
+    pictures.into_iter().try_for_each(|(path, film)| picture::write(path, film, Transfer::Linear))?;
     tell(args, &report)
 }
 

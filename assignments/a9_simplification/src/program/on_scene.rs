@@ -74,12 +74,7 @@ fn simplify_meshes(args: &SimplifyArgs, goal: Goal, studio: &mut Studio) -> Resu
     Ok(reports)
 }
 
-fn one(
-    args: &SimplifyArgs,
-    goal: Goal,
-    mesh: &Mesh,
-    number: usize,
-) -> Result<(Mesh, Report), SimplifyError> {
+fn one(args: &SimplifyArgs, goal: Goal, mesh: &Mesh, number: usize) -> Result<(Mesh, Report), SimplifyError> {
     let mut report = Report::new(&format!("mesh {number}"), args.method);
     let settings = Settings { method: args.method };
     let mut results = report.time("simplify", || simplify(mesh, &[goal], &settings))?;

@@ -27,7 +27,8 @@ impl Outputs {
         let given = Self { mesh: args.cast().output.clone(), picture };
         let Some(levels) = &args.goals.levels else { return Ok(vec![given; count]) };
         let with = |path: &Option<PathBuf>, level: f64| path.as_ref().map(|path| named(path, level));
-        let named = |level: &f64| Self { mesh: with(&given.mesh, *level), picture: with(&given.picture, *level) };
+        let named =
+            |level: &f64| Self { mesh: with(&given.mesh, *level), picture: with(&given.picture, *level) };
         Ok(levels.iter().map(named).collect())
     }
 

@@ -21,8 +21,8 @@ mod decimal;
 mod reader;
 mod tokens;
 
-use super::{Mesh, MeshError};
 use super::error::read_bytes;
+use super::{Mesh, MeshError};
 use std::path::Path;
 
 /// Reads an OBJ file; see [`parse_obj`].

@@ -1,0 +1,60 @@
+//! Is the result whole, and is it what was asked for?
+
+use super::Row;
+use super::contender::{self, Contender, Outcome};
+use crate::sample::Sample;
+use a9_simplification::measure::{Comparison, Original};
+use common::cli::AppError;
+use common::mesh::Mesh;
+
+/// Numbers of threads that must make the same mesh.
+const THREADS: [usize; 2] = [1, 3];
+
+/// Runs a method and looks for everything that property 17 forbids.
+///
+/// # Errors
+/// If it fails.
+pub fn judge(
+    contender: &Contender,
+    mesh: &Mesh,
+    original: &Original,
+    ratio: f64,
+    samples: usize,
+) -> Result<Row, AppError> {
+    let outcome = (contender.run)(mesh, ratio)?;
+    let comparison = original.compare(&outcome.mesh, samples);
+    let mut faults = original.topology().broken_by(&comparison.topology);
+    faults.extend(of_shape(&comparison));
+    faults.extend(of_goal(&outcome, mesh, ratio));
+    let bound = outcome.bound.map(|bound| bound / original.diagonal());
+    faults.extend(of_bound(bound, &comparison));
+    if contender::is_ours(contender.name) {
+        for threads in THREADS {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+            if pool.install(|| (contender.run)(mesh, ratio))?.mesh != outcome.mesh {
+                faults.push(format!("another mesh on {threads} threads"));
+            }
+        }
+    }
+    let faces = outcome.mesh.triangles.len();
+    Ok(Row { name: contender.name, faces, cpu: Sample::default(), comparison, bound, faults })
+}
+
+fn of_shape(comparison: &Comparison) -> Option<String> {
+    let flips = comparison.flips.faces;
+    (flips > 0).then(|| format!("{flips} flipped faces"))
+}
+
+fn of_goal(outcome: &Outcome, mesh: &Mesh, ratio: f64) -> Option<String> {
+    let (faces, most) = (outcome.mesh.triangles.len(), mesh.triangles.len() as f64 * ratio);
+    let missed = faces as f64 > most && !outcome.stuck;
+    missed.then(|| format!("{faces} faces are more than {most:.0}"))
+}
+
+/// The error vouched for is that of the simplified surface; it is rounded to single precision when
+/// the mesh is, which a sample may see.
+fn of_bound(bound: Option<f64>, comparison: &Comparison) -> Option<String> {
+    let (bound, seen) = (bound?, comparison.distance.backward.max);
+    let vouched = seen <= bound * (1.0 + 1e-6) + f64::from(f32::EPSILON);
+    (!vouched).then(|| format!("vouches for {bound:.3e}, but is off by {seen:.3e}"))
+}
