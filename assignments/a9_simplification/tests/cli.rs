@@ -28,7 +28,7 @@ fn faces(scratch: &Scratch, name: &str) -> usize {
 }
 
 #[test]
-fn wrong_command_lines_are_refused() {
+fn a9t7_wrong_command_lines_are_refused() {
     for (line, needles) in [
         ("", &["-input"][..]),
         ("-input ball.ply -output o.obj", &["when to stop?", "-ratio R, -faces N, -error E"]),
@@ -78,7 +78,7 @@ fn wrong_command_lines_are_refused() {
 }
 
 #[test]
-fn every_goal_is_met_and_every_kind_is_written() {
+fn a9t7_every_goal_is_met_and_every_kind_is_written() {
     let scratch = folder();
     for (flags, most) in [
         ("-ratio 0.25 -output a.obj", 200),
@@ -98,7 +98,7 @@ fn every_goal_is_met_and_every_kind_is_written() {
 
 /// What cannot be reached is no failure, but is said.
 #[test]
-fn a_goal_out_of_reach_is_warned_of() {
+fn a9t7_a_goal_out_of_reach_is_warned_of() {
     let scratch = folder();
     let outcome = run(&scratch, "-input ball.ply -faces 0 -output a.obj");
     assert!(outcome.stderr.starts_with("warning: stopped at "), "{}", outcome.stderr);
@@ -107,7 +107,7 @@ fn a_goal_out_of_reach_is_warned_of() {
 }
 
 #[test]
-fn levels_are_files_of_their_own_from_one_run() {
+fn a9t7_levels_are_files_of_their_own_from_one_run() {
     let scratch = folder();
     run(&scratch, "-input ball.ply -levels 0.5 0.1 -output a.obj -render p.png -size 20 20 -report r.json");
     assert_eq!([faces(&scratch, "a_0.5.obj"), faces(&scratch, "a_0.1.obj")], [400, 80]);
@@ -122,27 +122,34 @@ fn levels_are_files_of_their_own_from_one_run() {
 }
 
 #[test]
-fn reports_say_what_was_measured() {
+fn a9t7_reports_say_what_was_measured() {
     let scratch = folder();
     let stats = run(&scratch, "-input ball.ply -ratio 0.25 -stats -report r.txt -samples 5000").stdout;
     let report = fs::read_to_string(scratch.file("r.txt")).unwrap();
     let timeless = |text: &str| text.lines().filter(|l| !l.starts_with("time:")).collect::<String>();
     assert_eq!(timeless(&stats), timeless(&report));
-    for needle in
-        ["ball.ply, method memoryless", "at 5000 points", "hausdorff", "euler", "ratio 0.25 reached", "simplify"]
-    {
+    for needle in [
+        "ball.ply, method memoryless",
+        "at 5000 points",
+        "hausdorff",
+        "euler",
+        "ratio 0.25 reached",
+        "simplify",
+    ] {
         assert!(stats.contains(needle), "{needle}\n{stats}");
     }
     assert!(!stats.contains("broken"), "{stats}");
     run(&scratch, "-input ball.ply -ratio 0.25 -report r.JSON");
     let report = fs::read_to_string(scratch.file("r.JSON")).unwrap();
-    for needle in ["\"faces\":200,", "\"stopped\":\"reached\"", "\"flipped_faces\":0", "\"broken\":[]", "\"rms\":"] {
+    for needle in
+        ["\"faces\":200,", "\"stopped\":\"reached\"", "\"flipped_faces\":0", "\"broken\":[]", "\"rms\":"]
+    {
         assert!(report.contains(needle), "{needle}\n{report}");
     }
 }
 
 #[test]
-fn meshes_of_others_are_measured() {
+fn a9t7_meshes_of_others_are_measured() {
     let scratch = folder();
     let mut torn = shapes::ball(10, 1.0);
     torn.triangles.truncate(700);
@@ -156,7 +163,7 @@ fn meshes_of_others_are_measured() {
 
 /// The picture: what was there, what is there, and black where they are one.
 #[test]
-fn pictures_show_before_and_after_and_where_they_differ() {
+fn a9t7_pictures_show_before_and_after_and_where_they_differ() {
     let scratch = folder();
     run(&scratch, "-input ball.ply -compare ball.ply -render p.png -size 40 40");
     let film = picture::read(&scratch.file("p.png"), Transfer::Linear).unwrap();
@@ -171,7 +178,7 @@ fn pictures_show_before_and_after_and_where_they_differ() {
 }
 
 #[test]
-fn the_number_of_threads_changes_no_file() {
+fn a9t7_the_number_of_threads_changes_no_file() {
     let made = |threads: u32| {
         let scratch = folder();
         let flags = format!("-ratio 0.2 -output a.obj -render p.png -size 30 30 -threads {threads}");
@@ -185,7 +192,7 @@ fn the_number_of_threads_changes_no_file() {
 /// At ratio 1 a scene's picture is that of assignment 6; at less it is another, drawn by the same
 /// flags.
 #[test]
-fn scenes_are_drawn_with_fewer_triangles() {
+fn a9t7_scenes_are_drawn_with_fewer_triangles() {
     let scratch = folder();
     let mesh = read(&scratch.file("ball.ply")).unwrap();
     write(&scratch.file("cube.obj"), &mesh).unwrap();
@@ -195,7 +202,8 @@ fn scenes_are_drawn_with_fewer_triangles() {
     assert!(outcome.stdout.contains("mesh 1: 40 triangles, ratio 0.05 reached"), "{}", outcome.stdout);
     assert!(outcome.stdout.contains("time: simplify"), "{}", outcome.stdout);
     assert!(fs::read_to_string(scratch.file("r.json")).unwrap().starts_with("[{\"input\":\"mesh 1\""));
-    let words = format!("a6_kdtree {flags} plain.tga").replace("good.txt", &scratch.file("good.txt").display().to_string());
+    let words = format!("a6_kdtree {flags} plain.tga")
+        .replace("good.txt", &scratch.file("good.txt").display().to_string());
     let words = words.replace("plain.tga", &scratch.file("plain.tga").display().to_string());
     let parsed = common::cli::try_parse_from::<a6_kdtree::Program>(words.split_whitespace()).unwrap();
     a6_kdtree::run(&parsed.options.args).unwrap();
@@ -206,7 +214,7 @@ fn scenes_are_drawn_with_fewer_triangles() {
 }
 
 #[test]
-fn scenes_without_meshes_are_drawn_with_a_warning() {
+fn a9t7_scenes_without_meshes_are_drawn_with_a_warning() {
     let scratch = folder();
     let text = GOOD.replace("numObjects 3", "numObjects 2");
     let (before, after) = (text.find("    Transform {").unwrap(), text.rfind('}').unwrap());
@@ -217,7 +225,7 @@ fn scenes_without_meshes_are_drawn_with_a_warning() {
 
 /// Normals and texture coordinates reach the file if the simplifier carries them.
 #[test]
-fn attributes_have_a_value_for_every_vertex() {
+fn a9t7_attributes_have_a_value_for_every_vertex() {
     let scratch = folder();
     let sheet = shapes::square(12, 0.0, 0.0);
     let uvs = sheet.positions.iter().map(|p| common::math::Vec2::new(p.x, p.y)).collect();
@@ -231,7 +239,7 @@ fn attributes_have_a_value_for_every_vertex() {
 }
 
 #[test]
-fn help_text() {
+fn a9t7_help_text() {
     let help = accepted(&PROGRAM, &scratch(b""), &["-help"]).stdout;
     insta::assert_snapshot!("help", help);
 }

@@ -22,7 +22,7 @@ fn corners(mesh: &Mesh) -> Vec<[Vec3; 3]> {
 }
 
 #[test]
-fn plain_meshes_survive_every_kind() {
+fn a9t6_plain_meshes_survive_every_kind() {
     for shape in [cube(), square(3, 0.1, -7.3e-12)] {
         for kind in [Kind::Obj, Kind::Ply] {
             assert_eq!(there_and_back(kind, &shape), shape, "{kind:?}");
@@ -35,7 +35,7 @@ fn plain_meshes_survive_every_kind() {
 }
 
 #[test]
-fn attributes_survive_where_the_kind_has_them() {
+fn a9t6_attributes_survive_where_the_kind_has_them() {
     let bare = square(2, 0.0, 1.5);
     let (n, m) = (bare.positions.len(), bare.positions.iter());
     let uvs: Vec<Vec2> = m.clone().map(|p| Vec2::new(p.x * 0.5, p.y)).collect();
@@ -56,7 +56,7 @@ fn attributes_survive_where_the_kind_has_them() {
 }
 
 #[test]
-fn suffixes_say_the_kind() {
+fn a9t6_suffixes_say_the_kind() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["a.obj", "a.PLY", "a.Stl"] {
         let path = folder.path().join(name);
@@ -75,7 +75,7 @@ fn suffixes_say_the_kind() {
 }
 
 #[test]
-fn ply_dialects() {
+fn a9t6_ply_dialects() {
     let text = "ply\nformat ascii 1.0\ncomment hello there\nobj_info x\n\
         element camera 1\nproperty float fov\nproperty list uchar int numbers\n\
         element face 2\nproperty uchar red\nproperty list uchar uint vertex_index\n\
@@ -99,7 +99,7 @@ fn ply_dialects() {
 }
 
 #[test]
-fn stl_dialects() {
+fn a9t6_stl_dialects() {
     let facet = |z: f32| {
         format!(
             "facet normal 0 0 1\n  outer loop\n    vertex 0 0 {z}\n    vertex 1 0 {z}\n\n    vertex 0 1 {z}\n  endloop\nendfacet\n"
@@ -125,7 +125,7 @@ fn stl_dialects() {
 }
 
 #[test]
-fn triangles_without_area_are_dropped_and_counted() {
+fn a9t6_triangles_without_area_are_dropped_and_counted() {
     let mut faulty = cube();
     faulty.triangles.extend([[0, 1, 1], [2, 2, 2]]);
     for kind in Kind::ALL {
@@ -137,7 +137,7 @@ fn triangles_without_area_are_dropped_and_counted() {
 proptest! {
     /// Every finite number is the same after having been written and read.
     #[test]
-    fn numbers_keep_their_bits(bits in prop::array::uniform9(any::<u32>())) {
+    fn a9t6_numbers_keep_their_bits(bits in prop::array::uniform9(any::<u32>())) {
         let p = bits.map(f32::from_bits);
         prop_assume!(p.iter().all(|x| x.is_finite()));
         let points = vec![Vec3::from_slice(&p), Vec3::from_slice(&p[3..]), Vec3::from_slice(&p[6..])];

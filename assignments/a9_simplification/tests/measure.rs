@@ -18,7 +18,7 @@ fn assert_near(value: f64, expected: f64, relative: f64) {
 }
 
 #[test]
-fn a_mesh_is_at_no_distance_from_itself() {
+fn a9t4_a_mesh_is_at_no_distance_from_itself() {
     for shape in [cube(), ball(9, 3.0), square(7, 0.0, 2.0)] {
         let found = compare(&shape, &shape);
         assert!(found.distance.hausdorff() < 1e-15, "{found:?}");
@@ -30,14 +30,14 @@ fn a_mesh_is_at_no_distance_from_itself() {
 
 /// The same surface cut otherwise is at no distance, however it is cut.
 #[test]
-fn cutting_does_not_count() {
+fn a9t4_cutting_does_not_count() {
     let found = compare(&square(20, 0.0, 1.0), &square(1, 0.0, 1.0));
     assert!(found.distance.hausdorff() < 1e-7, "{:?}", found.distance);
     assert!(found.boundary.unwrap().max < 1e-7);
 }
 
 #[test]
-fn parallel_planes_are_apart_by_their_distance() {
+fn a9t4_parallel_planes_are_apart_by_their_distance() {
     let found = compare(&square(8, 0.0, 0.0), &square(5, 0.0, 0.25));
     let expected = 0.25 / 2f64.sqrt();
     for way in [found.distance.forward, found.distance.backward, found.boundary.unwrap()] {
@@ -51,7 +51,7 @@ fn parallel_planes_are_apart_by_their_distance() {
 /// A unit square that slides by s leaves a strip behind, whose points are 0 to s away from it:
 /// the mean square is s³/3, the mean s²/2, the largest s.
 #[test]
-fn a_moved_plane_leaves_a_strip_behind() {
+fn a9t4_a_moved_plane_leaves_a_strip_behind() {
     let s = 0.25;
     let found = compare(&square(8, 0.0, 0.0), &square(8, s, 0.0));
     let s = f64::from(s);
@@ -66,7 +66,7 @@ fn a_moved_plane_leaves_a_strip_behind() {
 
 /// The two ways are not the same: a square has nothing that a larger one lacks.
 #[test]
-fn either_way_is_measured_for_itself() {
+fn a9t4_either_way_is_measured_for_itself() {
     let found = compare(&square(4, 0.0, 0.0), &sheet(4, 2, |i, j| Vec3::new(i / 4.0, j / 2.0 * 3.0, 0.0)));
     assert!(found.distance.forward.max < 1e-14);
     assert_near(found.distance.backward.max, 2.0 / 2f64.sqrt(), 1e-9);
@@ -75,7 +75,7 @@ fn either_way_is_measured_for_itself() {
 
 /// Balls of radius 2 and 2.5, fine enough that flatness counts for less than a thousandth.
 #[test]
-fn concentric_balls_are_apart_by_the_difference_of_their_radii() {
+fn a9t4_concentric_balls_are_apart_by_the_difference_of_their_radii() {
     let found = compare(&ball(40, 2.0), &ball(40, 2.5));
     let diagonal = Original::new(&ball(40, 2.0)).diagonal();
     assert_near(diagonal, 4.0 * 3f64.sqrt(), 1e-6);
@@ -88,7 +88,7 @@ fn concentric_balls_are_apart_by_the_difference_of_their_radii() {
 /// A single spike between samples of the area is met by its vertex, a single dent of the other
 /// mesh by the middle of an edge.
 #[test]
-fn vertices_and_middles_of_edges_are_looked_at() {
+fn a9t4_vertices_and_middles_of_edges_are_looked_at() {
     let spike = |p: Vec3| if p == Vec3::new(0.5, 0.5, 0.0) { p + Vec3::Z * 0.1 } else { p };
     let plane = square(100, 0.0, 0.0);
     let found = Original::new(&plane).compare(&moved(square(100, 0.0, 0.0), spike), 10);
@@ -103,7 +103,7 @@ fn vertices_and_middles_of_edges_are_looked_at() {
 }
 
 #[test]
-fn nothing_left_is_infinitely_far() {
+fn a9t4_nothing_left_is_infinitely_far() {
     let found = compare(&cube(), &Mesh::default());
     assert_eq!(found.distance.forward.max, f64::INFINITY);
     assert_eq!(found.distance.backward.max, 0.0);
@@ -113,7 +113,7 @@ fn nothing_left_is_infinitely_far() {
 }
 
 #[test]
-fn flipped_faces_are_counted() {
+fn a9t5_flipped_faces_are_counted() {
     let mut flipped = square(4, 0.0, 0.01);
     for triangle in &mut flipped.triangles[..4] {
         triangle.swap(0, 1);
@@ -127,7 +127,7 @@ fn flipped_faces_are_counted() {
 /// The bevel of a cube's edge agrees with both its sides; what lies across the edge of a thin
 /// plate and faces in is flipped.
 #[test]
-fn where_sides_meet_one_that_agrees_is_enough() {
+fn a9t5_where_sides_meet_one_that_agrees_is_enough() {
     let corner = mesh(vec![Vec3::ZERO, Vec3::X, Vec3::X + Vec3::Y, -Vec3::Z, Vec3::Y - Vec3::Z], vec![]);
     let wall = [[3, 0, 4]];
     let original = Mesh { triangles: [[0, 1, 2]].into_iter().chain(wall).collect(), ..corner.clone() };
@@ -136,7 +136,7 @@ fn where_sides_meet_one_that_agrees_is_enough() {
 }
 
 #[test]
-fn the_number_of_threads_changes_nothing() {
+fn a9t4_the_number_of_threads_changes_nothing() {
     let (fine, coarse) = (beside(ball(30, 1.0), &cube()), beside(ball(7, 1.01), &cube()));
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -151,7 +151,7 @@ fn the_number_of_threads_changes_nothing() {
 
 /// All of it once more by asking every triangle for every point of a lattice on the surface.
 #[test]
-fn agrees_with_brute_force() {
+fn a9t4_agrees_with_brute_force() {
     let (one, other) = (ball(4, 1.0), moved(ball(3, 1.0), |p| p * Vec3::new(1.1, 0.9, 1.0)));
     let found = compare(&one, &other).distance.forward;
     let corners = |m: &Mesh| -> Vec<_> {

@@ -12,7 +12,7 @@ fn topology(mesh: &Mesh) -> Topology {
 }
 
 #[test]
-fn a_cube() {
+fn a9t5_a_cube() {
     let expected =
         Topology { faces: 12, vertices: 8, edges: 18, components: 1, euler: 2, ..Topology::default() };
     assert_eq!(topology(&cube()), expected);
@@ -20,7 +20,7 @@ fn a_cube() {
 }
 
 #[test]
-fn places_that_are_named_several_times_count_once() {
+fn a9t5_places_that_are_named_several_times_count_once() {
     let ball = topology(&ball(5, 1.0));
     let expected =
         Topology { faces: 200, vertices: 102, edges: 300, components: 1, euler: 2, ..Topology::default() };
@@ -28,7 +28,7 @@ fn places_that_are_named_several_times_count_once() {
 }
 
 #[test]
-fn handles_and_parts() {
+fn a9t5_handles_and_parts() {
     let ring = topology(&torus(12, 7));
     assert_eq!((ring.euler, ring.components, ring.boundary_edges), (0, 1, 0));
     let pair = topology(&beside(cube(), &moved(cube(), |p| p + Vec3::X * 2.0)));
@@ -37,7 +37,7 @@ fn handles_and_parts() {
 }
 
 #[test]
-fn rims_and_holes() {
+fn a9t5_rims_and_holes() {
     let sheet = square(5, 0.0, 0.0);
     let whole = topology(&sheet);
     assert_eq!((whole.boundary_edges, whole.boundary_loops, whole.euler), (20, 1, 1));
@@ -54,7 +54,7 @@ fn rims_and_holes() {
 }
 
 #[test]
-fn three_pages_of_a_book() {
+fn a9t5_three_pages_of_a_book() {
     let points = vec![Vec3::ZERO, Vec3::Z, Vec3::X, Vec3::Y, -Vec3::X];
     let book = topology(&mesh(points, vec![[0, 1, 2], [0, 1, 3], [0, 1, 4]]));
     assert_eq!((book.non_manifold_edges, book.boundary_edges, book.components), (1, 6, 1));
@@ -62,7 +62,7 @@ fn three_pages_of_a_book() {
 }
 
 #[test]
-fn a_bow_tie() {
+fn a9t5_a_bow_tie() {
     let points = vec![Vec3::ZERO, Vec3::X, Vec3::X + Vec3::Y, -Vec3::X, -Vec3::X - Vec3::Y];
     let tie = topology(&mesh(points, vec![[0, 1, 2], [0, 3, 4]]));
     assert_eq!((tie.non_manifold_vertices, tie.components, tie.boundary_loops), (1, 2, 2));
@@ -71,7 +71,7 @@ fn a_bow_tie() {
 
 /// A strip with half a turn: one loop, Euler characteristic 0, and somewhere front meets back.
 #[test]
-fn a_moebius_strip() {
+fn a9t5_a_moebius_strip() {
     let n = 9;
     let place = |i: f32, j: f32| {
         let (turn, across) = (std::f32::consts::TAU * i / n as f32, (j - 0.5) * 0.5);
@@ -92,7 +92,7 @@ fn a_moebius_strip() {
 }
 
 #[test]
-fn faults_of_single_triangles() {
+fn a9t5_faults_of_single_triangles() {
     let mut faulty = cube();
     faulty.triangles.push([1, 0, 2]);
     faulty.triangles.push([3, 3, 4]);
@@ -105,7 +105,7 @@ fn faults_of_single_triangles() {
 }
 
 #[test]
-fn folds_are_edges_whose_sides_lie_on_each_other() {
+fn a9t5_folds_are_edges_whose_sides_lie_on_each_other() {
     let points = |z: f32| vec![Vec3::ZERO, Vec3::X, Vec3::new(0.5, 1.0, 0.0), Vec3::new(0.5, 1.0, z)];
     let hinge = |z: f32| topology(&mesh(points(z), vec![[0, 1, 2], [1, 0, 3]])).folded_edges;
     // Half an angle of 15° between the two is the limit: the normals are 150° apart at 30°.
@@ -113,7 +113,7 @@ fn folds_are_edges_whose_sides_lie_on_each_other() {
 }
 
 #[test]
-fn what_is_broken_is_said() {
+fn a9t5_what_is_broken_is_said() {
     let (closed, sheet) = (topology(&cube()), topology(&square(3, 0.0, 0.0)));
     assert_eq!(closed.broken_by(&topology(&ball(2, 1.0))), Vec::<String>::new());
     let broken = closed.broken_by(&sheet);

@@ -1,4 +1,4 @@
-//! Mesh files: OBJ, PLY and STL, in and out.
+//! A9T6: mesh files: OBJ, PLY and STL, in and out.
 //!
 //! What kind a file is, its suffix says. Files are read whole (1 GiB at most), every claim of a
 //! header is checked against the file's size before anything is set aside for it, and errors

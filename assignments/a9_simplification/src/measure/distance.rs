@@ -1,4 +1,4 @@
-//! How far two surfaces are apart.
+//! A9T4: how far two surfaces are apart.
 
 use super::edges::Edges;
 use super::samples::Samples;

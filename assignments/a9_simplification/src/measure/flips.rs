@@ -1,4 +1,4 @@
-//! Triangles that face the wrong way.
+//! A9T5: triangles that face the wrong way.
 
 use super::surface::Surface;
 use rayon::prelude::*;

@@ -1,4 +1,4 @@
-//! The point of a triangle that is nearest to a point.
+//! A9T4: the point of a triangle that is nearest to a point.
 
 use common::math::DVec3;
 
@@ -66,7 +66,7 @@ mod tests {
     const FLAT: [DVec3; 3] = [DVec3::ZERO, DVec3::new(4.0, 0.0, 0.0), DVec3::new(0.0, 3.0, 0.0)];
 
     #[test]
-    fn each_region_has_its_answer() {
+    fn a9t4_each_region_has_its_answer() {
         for (p, nearest) in [
             ([-1.0, -1.0, 2.0], [0.0, 0.0, 0.0]),
             ([6.0, -1.0, -2.0], [4.0, 0.0, 0.0]),
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn triangles_without_area_are_segments_and_points() {
+    fn a9t4_triangles_without_area_are_segments_and_points() {
         let (x, y) = (DVec3::X, DVec3::Y);
         for triangle in [[x, -x, x * 0.5], [x * 0.5, x, -x], [x, x, -x], [-x, x, x], [x, -x, x]] {
             let found = nearest_on_triangle(DVec3::new(0.25, 1.0, 0.0), triangle);
@@ -99,7 +99,7 @@ mod tests {
     proptest! {
         /// Against many points of the triangle: none is nearer, and the answer is one of them.
         #[test]
-        fn no_point_of_the_triangle_is_nearer(p in point(3.0), a in point(1.0), b in point(1.0), c in point(1.0)) {
+        fn a9t4_no_point_of_the_triangle_is_nearer(p in point(3.0), a in point(1.0), b in point(1.0), c in point(1.0)) {
             let found = nearest_on_triangle(p, [a, b, c]);
             let distance = found.distance(p);
             let mut least = f64::INFINITY;

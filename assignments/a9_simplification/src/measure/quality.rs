@@ -1,4 +1,4 @@
-//! How well shaped triangles are.
+//! A9T5: how well shaped triangles are.
 
 use common::math::DVec3;
 
@@ -45,7 +45,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn known_shapes() {
+    fn a9t5_known_shapes() {
         let (o, x) = (DVec3::ZERO, DVec3::X);
         let equal = [o, x, DVec3::new(0.5, 0.75f64.sqrt(), 0.0)];
         let right = [o, x, DVec3::Y];
@@ -60,7 +60,7 @@ mod tests {
     }
 
     #[test]
-    fn one_in_a_hundred_may_be_worse_than_the_percentile() {
+    fn a9t5_one_in_a_hundred_may_be_worse_than_the_percentile() {
         let needle = |h: f64| [DVec3::ZERO, DVec3::X, DVec3::new(0.5, h, 0.0)];
         let triangles: Vec<_> = (1..=201).map(|i| needle(f64::from(i) * 1e-3)).collect();
         let q = Quality::of(&triangles);

@@ -1,4 +1,4 @@
-//! Points spread evenly over a surface.
+//! A9T4: points spread evenly over a surface.
 
 use super::surface::Surface;
 use common::math::DVec3;

@@ -1,4 +1,4 @@
-//! How the triangles of a mesh hang together.
+//! A9T5: how the triangles of a mesh hang together.
 
 use super::edges::{Edge, Edges, Side};
 use super::surface::Surface;

@@ -1,4 +1,4 @@
-//! A tree of boxes that finds the nearest triangle.
+//! A9T4: a tree of boxes that finds the nearest triangle.
 //!
 //! Unlike the trees of assignment 6, which look along a ray, this one looks around a point: the
 //! side of a node that is nearer is visited first, and what is farther than the best triangle so
@@ -221,7 +221,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn agrees_with_asking_all(
+        fn a9t4_agrees_with_asking_all(
             corners in triangles(),
             points in prop::collection::vec(prop::array::uniform3(-6.0..6.0), 20),
             hint: u32,
@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_has_no_nearest() {
+    fn a9t4_nothing_has_no_nearest() {
         let tree = Tree::new(&[]);
         assert_eq!(tree.nearest(DVec3::ZERO, Some(3)), None);
         assert_eq!(tree.nearest_beyond(DVec3::ZERO, 0.0, None), None);
@@ -253,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn twenty_thousand_equal_triangles_are_a_tree_too() {
+    fn a9t4_twenty_thousand_equal_triangles_are_a_tree_too() {
         let tree = Tree::new(&vec![[DVec3::ZERO, DVec3::X, DVec3::Y]; 20_000]);
         assert_eq!(tree.nearest(DVec3::Z, None).unwrap().triangle, 0);
     }

@@ -45,7 +45,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_are_numbered_by_first_use_and_minus_zero_is_zero() {
+    fn a9t5_places_are_numbered_by_first_use_and_minus_zero_is_zero() {
         let positions = vec![Vec3::X, Vec3::ZERO, Vec3::X, -Vec3::ZERO, Vec3::Y];
         let mesh = Mesh { positions, triangles: vec![[2, 3, 4], [0, 2, 1]], ..Mesh::default() };
         let welded = Welded::new(&mesh);

@@ -1,4 +1,4 @@
-//! What the program does: meshes in one way, scenes in another.
+//! A9T7: what the program does: meshes in one way, scenes in another.
 
 mod on_mesh;
 mod on_scene;

@@ -76,7 +76,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn levels_stand_before_the_suffix() {
+    fn a9t7_levels_stand_before_the_suffix() {
         for (path, level, name) in [
             ("out.obj", 0.5, "out_0.5.obj"),
             ("a.b/out.v2.ply", 0.01, "a.b/out.v2_0.01.ply"),

@@ -135,7 +135,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn strings_and_numbers_are_json() {
+    fn a9t7_strings_and_numbers_are_json() {
         assert_eq!(text("a \"b\" \\ \n é"), "\"a \\\"b\\\" \\\\ \\u000a é\"");
         assert_eq!([0.1, 1e-9, 1e300].map(number), ["0.1", "1e-9", "1e300"]);
         assert_eq!([f64::NAN, f64::INFINITY].map(number), ["null", "null"]);
