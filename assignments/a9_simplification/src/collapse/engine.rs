@@ -32,7 +32,7 @@ pub(super) struct Engine<C> {
 
 impl<C: Cost> Engine<C> {
     pub(super) fn new(built: crate::collapse::build::Built, cost: C) -> Self {
-        let q = knob("SLIVER", 0.02);
+        let q = knob("SLIVER", 0.001);
         let mut engine = Self {
             queue: Queue::new(built.surface.faces.len() * 4),
             parent: (0..built.surface.points.len() as u32).collect(),
