@@ -33,10 +33,20 @@ pub(super) fn build(places: &[Vec3], triangles: impl Iterator<Item = [u32; 3]>) 
         copies: Vec::new(),
         cut: vec![false; places.len()],
     };
+    built.surface.remember_normals();
     let leaving = Leaving::new(&built.surface);
     built.pair_all(&leaving);
     built.find_fans(&leaving);
     built
+}
+
+impl Surface {
+    fn remember_normals(&mut self) {
+        for i in 0..self.faces.len() {
+            let normal = self.normal(i);
+            self.faces[i].remember(normal);
+        }
+    }
 }
 
 fn scale_of(places: &[Vec3]) -> f64 {

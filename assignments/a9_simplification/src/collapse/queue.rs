@@ -1,18 +1,14 @@
 //! A queue whose turn comes by cost, cheap and nearly exact.
 //!
-//! Costs are put into drawers of one sixteenth of an octave, which are lists through one array;
-//! within a drawer first come, first served. Nothing is sorted, pushing and popping takes a few
-//! instructions, and neighbours that cost the same come in the order of their numbers, which are
-//! often neighbours in memory.
-
-use crate::collapse::surface::NONE;
+//! Costs are put into drawers of one eighth of an octave. The cheapest drawer is emptied from front
+//! to back; whatever is put into it or below it meanwhile has to wait for its end. Nothing is sorted,
+//! pushing and popping take a few instructions, neighbours that cost the same come in the order of
+//! their numbers, which are often neighbours in memory, and one can look ahead.
 
 /// Bits of the mantissa that count.
-const FINENESS: u32 = 4;
+const FINENESS: u32 = 3;
 /// How many drawers there are for positive, finite `f32`.
 const DRAWERS: usize = 255 << FINENESS;
-/// Last of its drawer.
-const LAST: u32 = NONE - 1;
 
 /// A drawer of costs; less is cheaper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,11 +16,13 @@ pub(super) struct Drawer(u32);
 
 /// Entries are numbers below a limit, each at most once in the queue.
 pub(super) struct Queue {
-    /// For each entry the one after it in its drawer, [`LAST`], or [`NONE`] if not queued.
-    after: Vec<u32>,
-    first: Vec<u32>,
-    last: Vec<u32>,
-    /// All drawers before this are empty.
+    drawers: Vec<Vec<u32>>,
+    queued: Vec<bool>,
+    /// The drawer that is being emptied, its entries, and how many of them are out.
+    open: Drawer,
+    entries: Vec<u32>,
+    out: usize,
+    /// All drawers before this are empty, but for the open one.
     lowest: usize,
 }
 
@@ -41,37 +39,57 @@ impl Drawer {
 impl Queue {
     /// An empty queue for entries below `limit`.
     pub(super) fn new(limit: usize) -> Self {
-        Self { after: vec![NONE; limit], first: vec![LAST; DRAWERS], last: vec![LAST; DRAWERS], lowest: DRAWERS }
+        Self {
+            drawers: vec![Vec::new(); DRAWERS],
+            queued: vec![false; limit],
+            open: Drawer(0),
+            entries: Vec::new(),
+            out: 0,
+            lowest: DRAWERS,
+        }
     }
 
     /// Whether an entry is queued.
     #[inline(always)]
     pub(super) fn contains(&self, entry: u32) -> bool {
-        self.after[entry as usize] != NONE
+        self.queued[entry as usize]
     }
 
     /// Puts an entry that is not queued at the end of a drawer.
     #[inline(always)]
     pub(super) fn push(&mut self, entry: u32, drawer: Drawer) {
         let drawer = drawer.0 as usize;
-        self.after[entry as usize] = LAST;
-        if self.first[drawer] == LAST {
-            self.first[drawer] = entry;
-        } else {
-            self.after[self.last[drawer] as usize] = entry;
-        }
-        self.last[drawer] = entry;
+        self.queued[entry as usize] = true;
+        self.drawers[drawer].push(entry);
         self.lowest = self.lowest.min(drawer);
     }
 
-    /// Takes the first entry of the cheapest drawer.
+    /// Takes the next entry of the cheapest drawer.
     #[inline(always)]
     pub(super) fn pop(&mut self) -> Option<(u32, Drawer)> {
-        while self.lowest < DRAWERS && self.first[self.lowest] == LAST {
+        if self.out == self.entries.len() {
+            self.open_next()?;
+        }
+        let entry = self.entries[self.out];
+        self.out += 1;
+        self.queued[entry as usize] = false;
+        Some((entry, self.open))
+    }
+
+    /// What will be popped `further` entries on, if it is known already.
+    #[inline(always)]
+    pub(super) fn ahead(&self, further: usize) -> Option<u32> {
+        self.entries.get(self.out + further).copied()
+    }
+
+    fn open_next(&mut self) -> Option<()> {
+        self.out = 0;
+        self.entries.clear();
+        while self.drawers.get(self.lowest)?.is_empty() {
             self.lowest += 1;
         }
-        let entry = *self.first.get(self.lowest)?;
-        self.first[self.lowest] = std::mem::replace(&mut self.after[entry as usize], NONE);
-        Some((entry, Drawer(self.lowest as u32)))
+        self.open = Drawer(self.lowest as u32);
+        std::mem::swap(&mut self.entries, &mut self.drawers[self.lowest]);
+        Some(())
     }
 }

@@ -49,10 +49,10 @@ pub(super) fn refine(s: &mut Surface, places: &[Vec3], tris: &[[u32; 3]], root: 
     let rounds = knob("ROUNDS", 1.0) as usize;
     let inner = knob("INNER", 2.0) as usize;
     let relax = knob("RELAX", 1.0);
-    let power = knob("POWER", 0.0);
+    let power = knob("POWER", 0.3);
     let tik = knob("RTIK", 1e-3);
-    let ftik = knob("FTIK", 0.0);
-    let cap = knob("CAP", 30.0);
+    let ftik = knob("FTIK", 0.03);
+    let cap = knob("CAP", 100.0);
     let centroids = knob("CENTROIDS", 1.0) > 0.0;
     let verbose = std::env::var("VERBOSE").is_ok();
     let mut area = vec![0f64; places.len()];

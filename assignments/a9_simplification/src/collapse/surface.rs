@@ -15,7 +15,7 @@ pub(super) const NONE: u32 = u32::MAX;
 pub(super) struct Face {
     /// Points at the corners; the fourth is [`NONE`] once the face is gone, 0 before.
     vertex: [u32; 4],
-    /// [`NONE`] at a boundary; the fourth is not used.
+    /// [`NONE`] at a boundary; the fourth remembers where the face looked at first.
     twin: [u32; 4],
 }
 
@@ -55,6 +55,21 @@ impl Face {
     pub(super) fn new(corners: [u32; 3]) -> Self {
         let [a, b, c] = corners;
         Self { vertex: [a, b, c, 0], twin: [NONE; 4] }
+    }
+
+    /// Remembers a direction: ten bits for each component, in units of the largest.
+    pub(super) fn remember(&mut self, normal: DVec3) {
+        let unit = normal / normal.abs().max_element();
+        let bits = unit.to_array().map(|c| ((c * 511.0).round() as i32 as u32) & 1023);
+        // A normal without length becomes all zeros, along which every direction looks.
+        self.twin[3] = bits[0] | bits[1] << 10 | bits[2] << 20;
+    }
+
+    /// Whether a direction is within a right angle of what was remembered.
+    #[inline(always)]
+    pub(super) fn looks_along(&self, normal: DVec3) -> bool {
+        let component = |shift: u32| f64::from((self.twin[3] << (22 - shift)) as i32 >> 22);
+        normal.x * component(0) + normal.y * component(10) + normal.z * component(20) >= 0.0
     }
 
     pub(super) fn is_gone(&self) -> bool {
@@ -131,6 +146,13 @@ impl Surface {
     #[inline(always)]
     pub(super) fn at(&self, point: u32) -> DVec3 {
         self.points[point as usize].at.as_dvec3() * self.scale
+    }
+
+    /// The normal of a face, as long as twice its area.
+    #[inline(always)]
+    pub(super) fn normal(&self, face: usize) -> DVec3 {
+        let [a, b, c] = self.faces[face].corners().map(|point| self.at(point));
+        (b - a).cross(c - a)
     }
 
     /// The nearest place that the mesh can hold, in its own unit.
