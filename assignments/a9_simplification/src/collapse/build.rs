@@ -8,6 +8,7 @@ use crate::collapse::surface::{Face, NONE, Point, Surface};
 use common::math::{Bounds, Vec3};
 
 /// A surface and how it was cut.
+#[derive(Clone)]
 pub(super) struct Built {
     pub surface: Surface,
     /// For the copies of points, which come after all others, the points they are copies of.

@@ -5,8 +5,7 @@
 //! A step changes the triangles of the points around it; what they lose and gain is known from
 //! checking the step, and so nothing is ever summed up anew.
 
-use crate::collapse::knob::knob;
-use crate::collapse::engine::{Cost, Offer};
+use crate::collapse::cost::{Cost, Merge, Offer, minimum};
 use crate::collapse::quadric::Symmetric;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface, previous};
@@ -15,19 +14,16 @@ use common::simd::prefetch;
 
 /// How much the edge of a boundary counts, in terms of triangles of about its size.
 const BOUNDARY: f64 = 4.0;
-/// Share of the trace by which a minimum must be determined; in directions in which it is less, the
-/// middle of the edge decides.
-const LEAST_RANK: f64 = 1e-9;
-/// How much the length of the edge counts.
-fn shape() -> f64 { knob("SHAPE", 1e-5) }
+/// How much the squared length of the edge counts, so that on flat parts short edges come first.
+const SHAPE: f64 = 1e-5;
 
 /// For every point the sum over its triangles of √area times the squared distance to the plane.
 ///
 /// The area itself gives a root mean square that is one part in fifty less, and spots that are
 /// half as far off again.
+#[derive(Clone)]
 pub(super) struct Memoryless {
     of: Vec<Symmetric>,
-    shape: f64,
 }
 
 /// √area·n·nᵀ for a normal as long as twice the area, up to a factor.
@@ -62,7 +58,7 @@ impl Memoryless {
                 }
             }
         }
-        Self { of, shape: shape() }
+        Self { of }
     }
 
     /// Sums up anew for a point on the boundary, whose edges changed.
@@ -96,20 +92,13 @@ impl Cost for Memoryless {
         let (a, b) = (&self.of[start as usize], &self.of[end as usize]);
         let from = surface.at(start);
         let edge = surface.at(end) - from;
-        let mut sum = *a + *b;
-        let trace = sum.trace();
-        sum.add_diagonal(LEAST_RANK * trace);
-        let y = sum.solve(b.times(edge) + edge * (0.5 * LEAST_RANK * trace));
-        let error = |y: DVec3| a.square(y) + b.square(y - edge);
-        let length2 = edge.length_squared();
-        let far = 4.0 * length2;
-        // Also false if there was no solution.
-        let near = y.length_squared() < far && (y - edge).length_squared() < far;
-        let (y, cost) = if near { (y, error(y)) } else { on_edge(edge, error) };
-        Offer { cost: cost + self.shape * trace * length2, place: from + y }
+        let sum = *a + *b;
+        let (y, cost) = minimum(sum, b.times(edge), edge, |y| a.square(y) + b.square(y - edge));
+        Offer { cost: cost + SHAPE * sum.trace() * edge.length_squared(), place: from + y }
     }
 
-    fn collapsed(&mut self, surface: &Surface, ring: &Ring, kept: u32) {
+    fn merged(&mut self, surface: &Surface, ring: &Ring, merge: &Merge) {
+        let kept = merge.kept;
         let mut sum = Symmetric::default();
         for face in &ring.stays {
             let after = plane(face.after);
@@ -133,11 +122,4 @@ impl Cost for Memoryless {
             }
         }
     }
-}
-
-/// The best of both ends and the middle.
-#[cold]
-fn on_edge(edge: DVec3, error: impl Fn(DVec3) -> f64) -> (DVec3, f64) {
-    let tried = [0.5, 0.0, 1.0].map(|t| (edge * t, error(edge * t)));
-    tried.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)).expect("three were tried")
 }

@@ -1,7 +1,7 @@
 //! Squared distances to planes and lines, summed: symmetric 3×3 matrices.
 
 use common::math::DVec3;
-use std::ops::{Add, AddAssign, SubAssign};
+use std::ops::{Add, AddAssign, Mul, SubAssign};
 
 /// A symmetric 3×3 matrix: xx, xy, xz, yy, yz, zz. Aligned so that it lies in one cache line.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -93,5 +93,14 @@ impl SubAssign for Symmetric {
     #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         *self = Self(std::array::from_fn(|i| self.0[i] - other.0[i]));
+    }
+}
+
+impl Mul<f64> for Symmetric {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0.map(|entry| entry * factor))
     }
 }

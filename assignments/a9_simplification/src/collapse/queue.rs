@@ -15,6 +15,7 @@ const DRAWERS: usize = 255 << FINENESS;
 pub(super) struct Drawer(u32);
 
 /// Entries are numbers below a limit, each at most once in the queue.
+#[derive(Clone)]
 pub(super) struct Queue {
     drawers: Vec<Vec<u32>>,
     queued: Vec<bool>,

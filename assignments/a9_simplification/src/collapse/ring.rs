@@ -36,7 +36,7 @@ pub(super) struct Vanishes {
 }
 
 /// The surroundings of one edge; kept from edge to edge for its memory.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Ring {
     /// Faces at either end that are not at the edge.
     pub stays: Vec<Stays>,

@@ -29,6 +29,7 @@ pub(super) struct Point {
 }
 
 /// An oriented surface, with or without boundary, in which every point has one fan of triangles.
+#[derive(Clone)]
 pub(super) struct Surface {
     pub faces: Vec<Face>,
     pub points: Vec<Point>,
@@ -72,8 +73,10 @@ impl Face {
         normal.x * component(0) + normal.y * component(10) + normal.z * component(20) >= 0.0
     }
 
-    pub(super) fn is_gone(&self) -> bool {
-        self.vertex[3] == NONE
+    /// Takes over the twins of another face, renumbered, and what it remembers.
+    pub(super) fn copy_rest(&mut self, other: &Self, half_edge: impl Fn(u32) -> u32) {
+        let [a, b, c, looked] = other.twin;
+        self.twin = [half_edge(a), half_edge(b), half_edge(c), looked];
     }
 
     /// Its corners.

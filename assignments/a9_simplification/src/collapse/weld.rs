@@ -5,6 +5,7 @@
 
 use crate::collapse::surface::NONE;
 use common::math::Vec3;
+use common::mesh::Mesh;
 
 /// Which vertices are at the same place.
 pub(super) struct Welded {
@@ -15,52 +16,65 @@ pub(super) struct Welded {
 }
 
 /// Welds those vertices that triangles use; points are numbered as they first appear among the
-/// vertices. Positions are equal if all bits are, but −0 is 0.
+/// vertices. Positions are the same if all coordinates are equal.
 pub(super) fn weld(positions: &[Vec3], triangles: &[[u32; 3]]) -> Welded {
     let mut point_of = vec![NONE; positions.len()];
     for &corner in triangles.as_flattened() {
         point_of[corner as usize] = 0;
     }
-    let mut places = Vec::with_capacity(positions.len());
+    let mut places: Vec<Vec3> = Vec::with_capacity(positions.len());
     let mut table = Table::for_entries(positions.len());
     for (point, &at) in point_of.iter_mut().zip(positions).filter(|(point, _)| **point != NONE) {
-        *point = table.find_or_add(at, &mut places);
+        let new = places.len() as u32;
+        *point = table.find_or_add(hash(&at.to_array(), 0), new, |known| places[known as usize] == at);
+        if *point == new {
+            places.push(at);
+        }
     }
     Welded { point_of, places }
 }
 
-/// Open addressing over the places; a slot holds the number of a place or [`NONE`].
+/// For every vertex the first that has the same position, normal and texture coordinates.
+pub(super) fn same(mesh: &Mesh) -> Vec<u32> {
+    let mut table = Table::for_entries(mesh.positions.len());
+    let all = |v: usize| (mesh.positions[v], mesh.normals.get(v), mesh.uvs.get(v));
+    let first = |v: usize| {
+        let normal = mesh.normals.get(v).map_or(0, |normal| hash(&normal.to_array(), 1));
+        let uv = mesh.uvs.get(v).map_or(0, |uv| hash(&uv.to_array(), 2));
+        let mixed = hash(&mesh.positions[v].to_array(), normal ^ uv);
+        table.find_or_add(mixed, v as u32, |known| all(known as usize) == all(v))
+    };
+    (0..mesh.positions.len()).map(first).collect()
+}
+
+/// Multiplies and shifts. Adding 0 turns −0 into 0, which compares equal and so must hash equal.
+fn hash(numbers: &[f32], seed: u64) -> u64 {
+    numbers.iter().fold(seed, |mixed, &number| {
+        let mixed = (mixed ^ u64::from((number + 0.0).to_bits())).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        mixed ^ (mixed >> 29)
+    })
+}
+
+/// Open addressing; a slot holds the number of an entry or [`NONE`].
 struct Table {
     slots: Vec<u32>,
-    shift: u32,
 }
 
 impl Table {
     fn for_entries(count: usize) -> Self {
-        let size = (count + count / 2 + 2).next_power_of_two();
-        Self { slots: vec![NONE; size], shift: 64 - size.trailing_zeros() }
+        Self { slots: vec![NONE; (count + count / 2 + 2).next_power_of_two()] }
     }
 
-    fn find_or_add(&mut self, at: Vec3, places: &mut Vec<Vec3>) -> u32 {
-        let mut slot = self.home(at);
-        loop {
-            match self.slots[slot] {
-                NONE => {
-                    self.slots[slot] = places.len() as u32;
-                    places.push(at);
-                    return self.slots[slot];
-                }
-                found if places[found as usize] == at => return found,
-                _ => slot = (slot + 1) & (self.slots.len() - 1),
-            }
+    /// The known entry that is the same, or else the new one.
+    fn find_or_add(&mut self, hash: u64, new: u32, is_same: impl Fn(u32) -> bool) -> u32 {
+        let last = self.slots.len() - 1;
+        let mut slot = (hash >> 20) as usize & last;
+        while self.slots[slot] != NONE && !is_same(self.slots[slot]) {
+            slot = (slot + 1) & last;
         }
-    }
-
-    /// The slot to look at first: the highest bits of a product (Knuth's multiplicative hashing).
-    fn home(&self, at: Vec3) -> usize {
-        // Adding 0 turns −0 into 0, which compares equal and so must hash equal.
-        let [x, y, z] = (at + Vec3::ZERO).to_array().map(|c| u64::from(c.to_bits()));
-        let mixed = (x ^ (y << 32)).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (z << 17);
-        ((mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> self.shift) as usize
+        if self.slots[slot] == NONE {
+            self.slots[slot] = new;
+        }
+        self.slots[slot]
     }
 }
