@@ -148,14 +148,20 @@ impl SimplifyArgs {
 }
 
 impl Goals {
+    /// The shares of `-levels`, largest first, as one run passes them.
+    pub fn levels(&self) -> Vec<f64> {
+        let mut levels = self.levels.clone().unwrap_or_default();
+        levels.sort_by(|a, b| b.total_cmp(a));
+        levels
+    }
+
     /// When to stop; several only by `-levels`.
     ///
     /// # Errors
     /// If nothing says when.
     pub fn list(&self) -> Result<Vec<Goal>, AppError> {
         let one = self.ratio.map(Goal::Ratio).or(self.faces.map(Goal::Faces)).or(self.error.map(Goal::Error));
-        let levels = self.levels.iter().flatten().map(|r| Goal::Ratio(*r));
-        let goals: Vec<Goal> = one.into_iter().chain(levels).collect();
+        let goals: Vec<Goal> = one.into_iter().chain(self.levels().into_iter().map(Goal::Ratio)).collect();
         if goals.is_empty() {
             let text = "when to stop? give -ratio R, -faces N, -error E or -levels R...";
             return Err(AppError::Usage(text.to_owned()));

@@ -9,7 +9,8 @@ pub enum Goal {
     Faces(usize),
     /// At no more than this share of the triangles, in [0, 1].
     Ratio(f64),
-    /// Before the surface is further off than this share of the diagonal of the mesh's box.
+    /// Before the surface is further off than this share of the diagonal of the mesh's box: the
+    /// fewest triangles that were found with [`Simplified::error`] within it.
     Error(f64),
 }
 
@@ -19,7 +20,7 @@ pub enum Method {
     /// Quadrics that are summed up as vertices merge (Garland & Heckbert 1997): fastest.
     Qem,
     /// Quadrics of the triangles that are there now, stale ones priced anew when their turn comes
-    /// (after Lindstrom & Turk 1998): the least error.
+    /// (after Lindstrom & Turk 1998), and a fit to the original at the end: the least error.
     #[default]
     Memoryless,
     /// Length times curvature, to an end of the edge (Melax 1998): for teaching.
@@ -42,6 +43,18 @@ pub enum Stopped {
     Stuck,
 }
 
+/// What was found in the mesh that is not part of a surface, and what was done with it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Irregular {
+    /// Triangles with a corner twice (at the same place), left out.
+    pub collapsed: usize,
+    /// Triangles that are there already, left out.
+    pub repeated: usize,
+    /// Points where more than two triangles meet at an edge, neighbours turn opposite ways or
+    /// several fans of triangles touch: they stay where they are.
+    pub held: usize,
+}
+
 /// A mesh of fewer triangles.
 #[derive(Clone, Debug)]
 pub struct Simplified {
@@ -49,8 +62,12 @@ pub struct Simplified {
     pub mesh: Mesh,
     /// Why it has no fewer triangles.
     pub stopped: Stopped,
-    /// Bound of the distance from its surface to the original's, in the mesh's own unit.
+    /// Bound of the distance from any point of its surface to the nearest of the original's, in
+    /// the mesh's own unit. It is not one of the way back: a spike that is gone may have been
+    /// longer.
     pub error: f64,
     /// For every vertex of the original the one it became; `u32::MAX` if it is gone altogether.
     pub becomes: Vec<u32>,
+    /// What was irregular in the original.
+    pub irregular: Irregular,
 }

@@ -2,7 +2,7 @@
 
 use super::outputs::Outputs;
 use crate::args::SimplifyArgs;
-use crate::goal::{Settings, Simplified, Stopped};
+use crate::goal::{Irregular, Settings, Simplified, Stopped};
 use crate::measure::Original;
 use crate::render::Exhibition;
 use crate::report::{Level, Report};
@@ -49,7 +49,8 @@ pub fn run(args: &SimplifyArgs) -> Result<(), AppError> {
 
 /// A mesh that was simplified by somebody else.
 fn unchanged(mesh: Mesh) -> Simplified {
-    Simplified { mesh, stopped: Stopped::Reached, error: f64::NAN, becomes: Vec::new() }
+    let irregular = Irregular::default();
+    Simplified { mesh, stopped: Stopped::Reached, error: f64::NAN, becomes: Vec::new(), irregular }
 }
 
 /// Refuses what cannot be done, and tasks that leave nothing behind.
@@ -110,11 +111,9 @@ fn show(
     Ok(films)
 }
 
-/// Writes the report where it is wanted, and warns of goals that were not reached.
+/// Writes the report where it is wanted, and warns of what one might not expect.
 fn tell(args: &SimplifyArgs, report: &Report) -> Result<(), AppError> {
-    for level in &report.levels {
-        level.warning().into_iter().for_each(|text| cli::warn(&text));
-    }
+    report.warnings().iter().for_each(|text| cli::warn(text));
     if let Some(path) = &args.report {
         let json = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("json"));
         let text = if json { report.json() } else { report.to_string() + "\n" };

@@ -65,8 +65,7 @@ fn simplify_meshes(args: &SimplifyArgs, goal: Goal, studio: &mut Studio) -> Resu
     let mut reports = Vec::new();
     for (number, mesh) in (1..).zip(&meshes) {
         let (simplified, report) = args.on_threads(|| one(args, goal, mesh, number))??;
-        let level = report.levels.iter().filter_map(Level::warning);
-        level.for_each(|text| cli::warn(&format!("{}: {text}", report.input)));
+        report.warnings().iter().for_each(|text| cli::warn(&format!("{}: {text}", report.input)));
         studio.scene.meshes.push(Arc::new(simplified));
         reports.push(report);
     }

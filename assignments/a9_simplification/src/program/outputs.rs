@@ -25,7 +25,10 @@ impl Outputs {
     pub fn of_mesh(args: &SimplifyArgs, count: usize) -> Result<Vec<Self>, AppError> {
         let picture = args.picture()?.map(|(path, _)| path.to_owned());
         let given = Self { mesh: args.cast().output.clone(), picture };
-        let Some(levels) = &args.goals.levels else { return Ok(vec![given; count]) };
+        let levels = args.goals.levels();
+        if levels.is_empty() {
+            return Ok(vec![given; count]);
+        }
         let with = |path: &Option<PathBuf>, level: f64| path.as_ref().map(|path| named(path, level));
         let named =
             |level: &f64| Self { mesh: with(&given.mesh, *level), picture: with(&given.picture, *level) };

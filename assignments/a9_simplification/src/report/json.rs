@@ -1,7 +1,7 @@
 //! The report as JSON.
 
 use super::{Before, Level, Report, counts, method};
-use crate::goal::{Goal, Stopped};
+use crate::goal::{Goal, Irregular, Stopped};
 use crate::measure::{Comparison, OneWay, Quality, Topology};
 use std::fmt::Write;
 
@@ -53,13 +53,19 @@ impl Report {
             .with("faces", level.faces)
             .with("stopped", text(if level.stopped == Stopped::Stuck { "stuck" } else { "reached" }))
             .with("why", text(&level.why()))
-            .number("error_bound", level.bound / diagonal);
+            .number("error_bound", level.bound / diagonal)
+            .with("irregular", irregular(&level.irregular));
         let object = match &level.comparison {
             Some(comparison) => measured(object, comparison),
             None => object,
         };
         object.with("broken", format!("[{}]", broken.join(","))).end()
     }
+}
+
+fn irregular(found: &Irregular) -> String {
+    let Irregular { collapsed, repeated, held } = found;
+    Object::default().with("collapsed", collapsed).with("repeated", repeated).with("held", held).end()
 }
 
 fn goal(goal: Goal) -> String {

@@ -3,7 +3,7 @@
 mod json;
 mod text;
 
-use crate::goal::{Goal, Method, Simplified, Stopped};
+use crate::goal::{Goal, Irregular, Method, Simplified, Stopped};
 use crate::measure::{Comparison, Original, Quality, Topology};
 use std::time::{Duration, Instant};
 
@@ -47,6 +47,8 @@ pub struct Level {
     /// The bound of the distance to the original's surface that the simplifier vouches for, in the
     /// mesh's own unit; NaN if none does.
     pub bound: f64,
+    /// What was found in the original that is no part of a surface.
+    pub irregular: Irregular,
     /// What was measured.
     pub comparison: Option<Comparison>,
     /// What must be known to read its picture.
@@ -83,6 +85,12 @@ impl Report {
         broken
     }
 
+    /// What one might not expect: goals that were not reached, a mesh that is no surface.
+    pub fn warnings(&self) -> Vec<String> {
+        let irregular = self.levels.first().and_then(|level| text::irregular(&level.irregular));
+        self.levels.iter().filter_map(Level::warning).chain(irregular).collect()
+    }
+
     /// A line for each level that was measured: how far it is from the original.
     pub fn distances(&self) -> Vec<String> {
         let line = |level: &Level| {
@@ -102,6 +110,7 @@ impl Level {
             faces: result.mesh.triangles.len(),
             stopped: result.stopped,
             bound: result.error,
+            irregular: result.irregular,
             comparison: None,
             notes: Vec::new(),
         }
@@ -119,7 +128,7 @@ impl Level {
             (Stopped::Stuck, _) => "no edge is left that may go".to_owned(),
             (Stopped::Reached, Some(Goal::Ratio(r))) => format!("ratio {r} reached"),
             (Stopped::Reached, Some(Goal::Faces(n))) => format!("{n} faces reached"),
-            (Stopped::Reached, Some(Goal::Error(e))) => format!("the next step may be off by more than {e}"),
+            (Stopped::Reached, Some(Goal::Error(e))) => format!("the fewest that were found within {e}"),
         }
     }
 

@@ -1,6 +1,7 @@
 //! The report as text: one column for the original, one for each level.
 
 use super::{Report, counts, method};
+use crate::goal::Irregular;
 use crate::measure::{BINS, Comparison, Quality, Topology};
 use std::fmt::{Display, Formatter, Result};
 
@@ -18,6 +19,8 @@ impl Display for Report {
             writeln!(f, "of either surface, all vertices and the middles of all edges")?;
             self.table(f)?;
         }
+        let first = self.levels.first().and_then(|level| irregular(&level.irregular));
+        first.into_iter().try_for_each(|text| writeln!(f, "{text}"))?;
         for level in &self.levels {
             writeln!(f, "{}", level.summary())?;
             let broken = self.broken(level);
@@ -65,6 +68,19 @@ impl super::Level {
     fn heading(&self) -> String {
         self.goal.map_or("given".to_owned(), |_| format!("{} faces", self.faces))
     }
+}
+
+/// What is no part of a surface in a mesh, and what was done with it; `None` if nothing is.
+pub(super) fn irregular(found: &Irregular) -> Option<String> {
+    let Irregular { collapsed, repeated, held } = *found;
+    let parts = [
+        (collapsed, "triangles with two corners at one place, left out"),
+        (repeated, "triangles that are there twice, left out"),
+        (held, "points where this is no surface, held in place"),
+    ];
+    let parts = parts.into_iter().filter(|(count, _)| *count > 0);
+    let texts: Vec<String> = parts.map(|(count, what)| format!("{count} {what}")).collect();
+    (!texts.is_empty()).then(|| texts.join("; "))
 }
 
 fn shapes(f: &mut Formatter, all: &[&Quality]) -> Result {
