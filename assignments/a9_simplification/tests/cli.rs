@@ -223,7 +223,8 @@ fn a9t7_scenes_without_meshes_are_drawn_with_a_warning() {
     assert!(outcome.stderr.contains("warning: there is no mesh in this scene"), "{}", outcome.stderr);
 }
 
-/// Normals and texture coordinates reach the file if the simplifier carries them.
+/// Texture coordinates reach the file: where they are the position, they still are within a quarter
+/// of what two vertices were apart.
 #[test]
 fn a9t7_attributes_have_a_value_for_every_vertex() {
     let scratch = folder();
@@ -234,7 +235,7 @@ fn a9t7_attributes_have_a_value_for_every_vertex() {
     let found = read(&scratch.file("o.ply")).unwrap();
     assert_eq!(found.uvs.len(), found.positions.len());
     for (p, uv) in found.positions.iter().zip(&found.uvs) {
-        assert!((p.truncate() - *uv).length() < 1e-3, "{p} {uv}");
+        assert!((p.truncate() - *uv).length() < 0.25 / 12.0, "{p} {uv}");
     }
 }
 
