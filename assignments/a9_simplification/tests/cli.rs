@@ -3,6 +3,7 @@
 mod shapes;
 
 use a9_simplification::files::{read, write};
+use common::math::Vec3;
 use common::mesh::Mesh;
 use common::picture::{self, Transfer};
 use std::fs;
@@ -221,6 +222,34 @@ fn a9t7_scenes_without_meshes_are_drawn_with_a_warning() {
     fs::write(scratch.file("bare.txt"), text[..before].to_owned() + &text[after..]).unwrap();
     let outcome = run(&scratch, "-input bare.txt -output a.tga -ratio 0.5 -size 9 9");
     assert!(outcome.stderr.contains("warning: there is no mesh in this scene"), "{}", outcome.stderr);
+}
+
+/// What is no surface, or hardly one: simplified as far as may be, and told of.
+#[test]
+fn a9t7_odd_meshes_are_handled() {
+    let scratch = folder();
+    let (o, x, y, z) = (Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z);
+    let mut doubled = shapes::cube();
+    doubled.triangles.push(doubled.triangles[0]);
+    for (name, mesh, warning) in [
+        ("one.obj", shapes::mesh(vec![o, x, y], vec![[0, 1, 2]]), "stopped at 1 triangles"),
+        ("book.obj", shapes::mesh(vec![o, z, x, y, -x], vec![[0, 1, 2], [0, 1, 3], [0, 1, 4]]), "no surface"),
+        ("tie.obj", shapes::mesh(vec![o, x, x + y, -x, -x - y], vec![[0, 1, 2], [0, 3, 4]]), "no surface"),
+        ("doubled.obj", doubled, "1 triangles that are there twice, left out"),
+        ("flat.obj", shapes::square(9, 0.0, 0.0), ""),
+        ("inverted.obj", shapes::moved(shapes::ball(5, 1.0), |p| -p), ""),
+        ("small.obj", shapes::moved(shapes::ball(5, 1.0), |p| p * 1e-18), ""),
+        ("far.obj", shapes::moved(shapes::ball(5, 1.0), |p| p + Vec3::splat(1000.0)), ""),
+    ] {
+        write(&scratch.file(name), &mesh).unwrap();
+        for method in ["qem", "memoryless", "melax"] {
+            let line = format!("-input {name} -output o.ply -ratio 0.1 -samples 500 -stats -method {method}");
+            let outcome = run(&scratch, &line);
+            assert!(outcome.stderr.contains(warning), "{line}: {}", outcome.stderr);
+            assert!(!outcome.stdout.contains("broken"), "{line}: {}", outcome.stdout);
+            assert!(faces(&scratch, "o.ply") >= 1);
+        }
+    }
 }
 
 /// Texture coordinates reach the file: where they are the position, they still are within a quarter

@@ -124,4 +124,5 @@ fn a9t5_what_is_broken_is_said() {
     let broken = closed.broken_by(&topology(&doubled));
     assert!(broken.iter().any(|b| b.starts_with("duplicate faces: 0 before, 1 now")), "{broken:?}");
     assert!(broken.iter().any(|b| b.starts_with("non-manifold edges: 0")), "{broken:?}");
+    assert_eq!(topology(&doubled).broken_by(&closed), Vec::<String>::new(), "a fault less");
 }

@@ -128,7 +128,8 @@ impl Polygon {
     /// corners is not cut.
     fn clip(&mut self, height: impl Fn(DVec3) -> f64) -> Option<Self> {
         let whole = *self;
-        let heights: [f64; CORNERS] = std::array::from_fn(|i| if i < whole.count { height(whole.corners[i]) } else { 0.0 });
+        let heights: [f64; CORNERS] =
+            std::array::from_fn(|i| if i < whole.count { height(whole.corners[i]) } else { 0.0 });
         let above = heights[..whole.count].iter().filter(|&&h| h > 0.0).count();
         if above == 0 || whole.count + 2 > CORNERS {
             return None;
@@ -141,7 +142,11 @@ impl Polygon {
         for i in 0..whole.count {
             let j = (i + 1) % whole.count;
             let (p, q) = (whole.corners[i], whole.corners[j]);
-            if heights[i] > 0.0 { rest.push(p) } else { kept.push(p) }
+            if heights[i] > 0.0 {
+                rest.push(p)
+            } else {
+                kept.push(p)
+            }
             if (heights[i] > 0.0) != (heights[j] > 0.0) {
                 let crossing = p + (q - p) * (heights[i] / (heights[i] - heights[j]));
                 kept.push(crossing);

@@ -68,7 +68,8 @@ impl<'a> Prepared<'a> {
         if built.cut.contains(&true) {
             repeated = repeats(triangles());
             if !repeated.is_empty() {
-                let kept = triangles().enumerate().filter(|(i, t)| Original::is_proper(*t) && !repeated.contains(i));
+                let kept =
+                    triangles().enumerate().filter(|(i, t)| Original::is_proper(*t) && !repeated.contains(i));
                 built = build(&welded.places, kept.map(|(_, t)| t));
             }
         }
@@ -147,7 +148,8 @@ impl<C: Cost> Level for Levels<'_, C> {
         if self.faces() < built.surface.faces.len() {
             if self.finish == Finish::Refit {
                 let original = Original::new(mesh, welded, built.surface.scale);
-                Refit::new(&original, &snapshot.surface, &snapshot.becomes).apply(&mut snapshot.surface, &snapshot.fixed);
+                Refit::new(&original, &snapshot.surface, &snapshot.becomes)
+                    .apply(&mut snapshot.surface, &snapshot.fixed);
             }
             error = deviation(&built.surface, &snapshot.surface, &snapshot.becomes) / built.surface.scale;
         }

@@ -83,16 +83,18 @@ impl Topology {
         self.non_manifold_edges + self.non_manifold_vertices + self.inconsistent_edges == 0
     }
 
-    /// What a simplification of this mesh into `after` broke, in words; empty if nothing. Parts,
-    /// boundaries and the Euler characteristic must be the same; faults may not be more.
+    /// What a simplification of this mesh into `after` broke, in words; empty if nothing. Faults
+    /// may not be more. Parts, boundaries and the Euler characteristic of a manifold must be the
+    /// same; of what is none they depend on what is left out of it.
     pub fn broken_by(&self, after: &Self) -> Vec<String> {
         let mut broken = Vec::new();
+        let whole = self.is_manifold() && self.duplicate_faces + self.zero_area_faces == 0;
         for (what, before, now) in [
             ("components", self.components as i64, after.components as i64),
             ("Euler characteristic", self.euler, after.euler),
             ("boundary loops", self.boundary_loops as i64, after.boundary_loops as i64),
         ] {
-            if before != now {
+            if whole && before != now {
                 broken.push(format!("{what}: {before} before, {now} now"));
             }
         }
