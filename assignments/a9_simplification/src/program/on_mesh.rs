@@ -1,13 +1,12 @@
 //! A mesh: simplified, measured, shown, written.
 
-use super::outputs::Outputs;
+use super::outputs::{Outputs, write_report};
 use crate::args::SimplifyArgs;
 use crate::goal::{Irregular, Settings, Simplified, Stopped};
 use crate::measure::Original;
 use crate::render::Exhibition;
 use crate::report::{Level, Report};
 use crate::{files, simplify};
-use common::atomic::{self, Unwritable};
 use common::cli::{self, AppError};
 use common::mesh::Mesh;
 use common::picture::{self, Film, Transfer};
@@ -115,9 +114,7 @@ fn show(
 fn tell(args: &SimplifyArgs, report: &Report) -> Result<(), AppError> {
     report.warnings().iter().for_each(|text| cli::warn(text));
     if let Some(path) = &args.report {
-        let json = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("json"));
-        let text = if json { report.json() } else { report.to_string() + "\n" };
-        atomic::replace(path, text.as_bytes()).map_err(|source| Unwritable::refused(path, source))?;
+        write_report(path, &report.to_string(), &report.json())?;
     }
     if args.cast().general.program.stats {
         cli::say(&report.to_string());

@@ -1,13 +1,13 @@
 //! A scene: drawn as ever, with fewer triangles in its meshes.
 
-use super::outputs::refuse_collisions;
+use super::outputs::{refuse_collisions, write_report};
 use crate::args::SimplifyArgs;
 use crate::goal::{Goal, Settings};
 use crate::measure::Original;
 use crate::report::{Level, Report};
 use crate::{SimplifyError, simplify};
 use a1_ray_casting::Studio;
-use common::atomic::{self, Unwritable};
+use common::atomic;
 use common::cli::{self, AppError};
 use common::geometry::Geometry;
 use common::mesh::Mesh;
@@ -33,13 +33,11 @@ pub fn run(args: &SimplifyArgs) -> Result<(), AppError> {
     if args.measures() {
         report.notes.extend(reports.iter().flat_map(Report::distances));
     }
-    let text = reports.iter().map(Report::to_string).collect::<Vec<_>>().join("\n\n");
-    let json = format!("[{}]\n", reports.iter().map(|r| r.json()).collect::<Vec<_>>().join(","));
     a6_kdtree::draw(&accel, &studio, report)?;
     let Some(path) = &args.report else { return Ok(()) };
-    let is_json = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("json"));
-    let text = if is_json { json } else { text + "\n" };
-    Ok(atomic::replace(path, text.as_bytes()).map_err(|source| Unwritable::refused(path, source))?)
+    let texts: Vec<String> = reports.iter().map(Report::to_string).collect();
+    let objects: Vec<String> = reports.iter().map(Report::json).collect();
+    write_report(path, &texts.join("\n\n"), &format!("[{}]", objects.join(",")))
 }
 
 /// The one goal; flags that only make sense for a mesh are refused.

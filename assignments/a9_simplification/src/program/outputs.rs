@@ -2,7 +2,7 @@
 
 use crate::args::SimplifyArgs;
 use crate::files;
-use common::atomic::{self, place};
+use common::atomic::{self, Unwritable, place};
 use common::cli::AppError;
 use common::picture::{self, Size};
 use std::path::{Path, PathBuf};
@@ -65,6 +65,16 @@ pub fn refuse_collisions(outputs: &[&Path], inputs: &[&Path]) -> Result<(), AppE
         }
     }
     Ok(())
+}
+
+/// Writes a report as what its suffix says, JSON or else text.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn write_report(path: &Path, text: &str, json: &str) -> Result<(), AppError> {
+    let is_json = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("json"));
+    let bytes = format!("{}\n", if is_json { json } else { text });
+    Ok(atomic::replace(path, bytes.as_bytes()).map_err(|source| Unwritable::refused(path, source))?)
 }
 
 /// `out.obj` for level 0.5 is `out_0.5.obj`.
