@@ -32,6 +32,8 @@ pub enum Method {
 pub struct Settings {
     /// What a step costs.
     pub method: Method,
+    /// Whether [`Simplified::error`] is wanted; it costs about as much as the simplification.
+    pub bound: bool,
 }
 
 /// Why it stopped.
@@ -64,8 +66,8 @@ pub struct Simplified {
     pub stopped: Stopped,
     /// Bound of the distance from any point of its surface to the nearest of the original's, in
     /// the mesh's own unit. It is not one of the way back: a spike that is gone may have been
-    /// longer.
-    pub error: f64,
+    /// longer. There if [`Settings::bound`] asked for it or the goal was one.
+    pub error: Option<f64>,
     /// For every vertex of the original the one it became; `u32::MAX` if it is gone altogether.
     pub becomes: Vec<u32>,
     /// What was irregular in the original.

@@ -64,9 +64,9 @@ pub fn simplify(mesh: &Mesh, goals: &[Goal], settings: &Settings) -> Result<Vec<
     goals.iter().enumerate().try_for_each(|(i, goal)| check_goal(i, goal))?;
     let prepared = collapse::Prepared::new(mesh);
     Ok(match settings.method {
-        Method::Memoryless => levels(prepared.memoryless(), goals),
-        Method::Qem => levels(prepared.accumulated(), goals),
-        Method::Melax => levels(prepared.melax(), goals),
+        Method::Memoryless => levels(prepared.memoryless(), goals, settings.bound),
+        Method::Qem => levels(prepared.accumulated(), goals, settings.bound),
+        Method::Melax => levels(prepared.melax(), goals, settings.bound),
     })
 }
 
@@ -102,23 +102,23 @@ fn check_goal(number: usize, goal: &Goal) -> Result<(), SimplifyError> {
     if (0.0..=most).contains(&value) { Ok(()) } else { Err(SimplifyError::BadGoal { goal: number, value }) }
 }
 
-fn levels(mut levels: impl Level, goals: &[Goal]) -> Vec<Simplified> {
+fn levels(mut levels: impl Level, goals: &[Goal], bound: bool) -> Vec<Simplified> {
     let all = levels.faces();
-    goals.iter().map(|goal| reach(&mut levels, all, goal)).collect()
+    goals.iter().map(|goal| reach(&mut levels, all, goal, bound)).collect()
 }
 
-fn reach(levels: &mut impl Level, all: usize, goal: &Goal) -> Simplified {
+fn reach(levels: &mut impl Level, all: usize, goal: &Goal, bound: bool) -> Simplified {
     match *goal {
-        Goal::Faces(faces) => at_most(levels, faces),
+        Goal::Faces(faces) => at_most(levels, faces, bound),
         // What is meant by 0.1 is not the binary fraction a little above or below it.
-        Goal::Ratio(ratio) => at_most(levels, (all as f64 * ratio + 1e-6).floor() as usize),
+        Goal::Ratio(ratio) => at_most(levels, (all as f64 * ratio + 1e-6).floor() as usize, bound),
         Goal::Error(error) => within(levels, error),
     }
 }
 
-fn at_most(levels: &mut impl Level, faces: usize) -> Simplified {
+fn at_most(levels: &mut impl Level, faces: usize, bound: bool) -> Simplified {
     let reached = levels.until(faces);
-    levels.simplified(if reached { Stopped::Reached } else { Stopped::Stuck })
+    levels.simplified(if reached { Stopped::Reached } else { Stopped::Stuck }, bound)
 }
 
 /// Goes down in steps, each from a copy of the last level that was within the error; where a step is
@@ -127,13 +127,13 @@ fn within(levels: &mut impl Level, error: f64) -> Simplified {
     const FIRST_STEP: f64 = 0.5;
     const LAST_STEP: f64 = 0.98;
     let limit = error * levels.diagonal();
-    let mut best = levels.simplified(Stopped::Reached);
+    let mut best = levels.simplified(Stopped::Reached, true);
     let mut step = FIRST_STEP;
     while step < LAST_STEP {
         let mut trial = levels.clone();
         let reached = trial.until((trial.faces() as f64 * step) as usize);
-        let simplified = trial.simplified(if reached { Stopped::Reached } else { Stopped::Stuck });
-        if simplified.error <= limit && trial.faces() < levels.faces() {
+        let simplified = trial.simplified(if reached { Stopped::Reached } else { Stopped::Stuck }, true);
+        if simplified.error.is_some_and(|error| error <= limit) && trial.faces() < levels.faces() {
             *levels = trial;
             best = simplified;
             if !reached {

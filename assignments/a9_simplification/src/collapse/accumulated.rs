@@ -12,7 +12,7 @@ use common::math::DVec3;
 use common::simd::prefetch;
 
 /// How much the edge of a boundary counts, in terms of triangles of about its size.
-const BOUNDARY: f64 = 4.0;
+const BOUNDARY: f64 = 20.0;
 /// How much the squared length of the edge counts, so that on flat parts short edges come first.
 const SHAPE: f64 = 1e-5;
 

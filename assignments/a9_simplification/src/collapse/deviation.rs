@@ -99,7 +99,31 @@ impl Task {
                 return 0.0;
             }
         }
-        inside.distance(a, b, c)
+        self.settle(original, inside, enough, tasks)
+    }
+
+    /// The distance of a polygon that lies over the face, if that is about what there is to find;
+    /// else the polygon is held against a nearer face, or its halves are.
+    fn settle(&self, original: &Surface, polygon: Polygon, enough: f64, tasks: &mut Vec<Self>) -> f64 {
+        let corners = original.faces[self.face as usize].corners();
+        let [a, b, c] = corners.map(|p| original.at(p));
+        let distance = polygon.distance(a, b, c);
+        if distance <= enough {
+            return 0.0;
+        }
+        let found = |p: DVec3| locate(original, corners[0], p);
+        let worst = polygon.corners().map(|p| found(p).0).fold(0.0, f64::max).sqrt();
+        if distance <= worst * SLACK {
+            return distance;
+        }
+        let middle = polygon.corners().sum::<DVec3>() / polygon.count as f64;
+        let nearer = found(middle).1.face;
+        if nearer != self.face {
+            tasks.push(Self { polygon, face: nearer, entry: NONE });
+        } else {
+            tasks.extend(polygon.halves().map(|polygon| Self { polygon, face: nearer, entry: NONE }));
+        }
+        0.0
     }
 }
 
@@ -110,9 +134,24 @@ impl Polygon {
         Self { corners, count: 3 }
     }
 
+    fn corners(&self) -> impl Iterator<Item = DVec3> {
+        self.corners[..self.count].iter().copied()
+    }
+
+    /// Cut across its longest side.
+    fn halves(self) -> [Self; 2] {
+        let sides = (0..self.count).map(|i| (self.corners[i], self.corners[(i + 1) % self.count]));
+        let longest = sides.max_by(|s, t| (s.1 - s.0).length_squared().total_cmp(&(t.1 - t.0).length_squared()));
+        let (p, q) = longest.expect("a polygon has sides");
+        let (middle, along) = ((p + q) / 2.0, q - p);
+        let mut kept = self;
+        let rest = kept.clip(|x| (x - middle).dot(along));
+        [kept, rest.unwrap_or(kept)]
+    }
+
     /// Largest distance to a triangle.
     fn distance(&self, a: DVec3, b: DVec3, c: DVec3) -> f64 {
-        let squares = self.corners[..self.count].iter().map(|&p| {
+        let squares = self.corners().map(|p| {
             let [u, v, w] = nearest(p, a, b, c);
             (a * u + b * v + c * w - p).length_squared()
         });
@@ -128,8 +167,7 @@ impl Polygon {
     /// corners is not cut.
     fn clip(&mut self, height: impl Fn(DVec3) -> f64) -> Option<Self> {
         let whole = *self;
-        let heights: [f64; CORNERS] =
-            std::array::from_fn(|i| if i < whole.count { height(whole.corners[i]) } else { 0.0 });
+        let heights: [f64; CORNERS] = std::array::from_fn(|i| if i < whole.count { height(whole.corners[i]) } else { 0.0 });
         let above = heights[..whole.count].iter().filter(|&&h| h > 0.0).count();
         if above == 0 || whole.count + 2 > CORNERS {
             return None;
@@ -142,11 +180,7 @@ impl Polygon {
         for i in 0..whole.count {
             let j = (i + 1) % whole.count;
             let (p, q) = (whole.corners[i], whole.corners[j]);
-            if heights[i] > 0.0 {
-                rest.push(p)
-            } else {
-                kept.push(p)
-            }
+            if heights[i] > 0.0 { rest.push(p) } else { kept.push(p) }
             if (heights[i] > 0.0) != (heights[j] > 0.0) {
                 let crossing = p + (q - p) * (heights[i] / (heights[i] - heights[j]));
                 kept.push(crossing);

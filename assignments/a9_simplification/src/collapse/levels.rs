@@ -39,16 +39,23 @@ pub(crate) trait Level: Clone {
     /// Goes on until at most so many triangles are left; false if that cannot be.
     fn until(&mut self, faces: usize) -> bool;
 
-    /// The mesh at this level.
-    fn simplified(&self, stopped: Stopped) -> Simplified;
+    /// The mesh at this level; with the bound of its error if that is wanted.
+    fn simplified(&self, stopped: Stopped, bound: bool) -> Simplified;
 }
 
 /// How a run is finished.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Finish {
-    Refit,
+    /// With a fit to at most so many samples of the original for each point, if there are at
+    /// least half as many.
+    Refit(usize),
     AsIs,
 }
+
+/// As many samples as were found to lower the error.
+const MANY: usize = 32;
+/// As few as bring most of it.
+const FEW: usize = 8;
 
 struct Levels<'a, C> {
     prepared: &'a Prepared<'a>,
@@ -68,8 +75,7 @@ impl<'a> Prepared<'a> {
         if built.cut.contains(&true) {
             repeated = repeats(triangles());
             if !repeated.is_empty() {
-                let kept =
-                    triangles().enumerate().filter(|(i, t)| Original::is_proper(*t) && !repeated.contains(i));
+                let kept = triangles().enumerate().filter(|(i, t)| Original::is_proper(*t) && !repeated.contains(i));
                 built = build(&welded.places, kept.map(|(_, t)| t));
             }
         }
@@ -83,12 +89,12 @@ impl<'a> Prepared<'a> {
 
     /// A run with memoryless quadrics, fitted to the original.
     pub(crate) fn memoryless(&self) -> impl Level {
-        self.start(Memoryless::new, Finish::Refit)
+        self.start(Memoryless::new, Finish::Refit(MANY))
     }
 
     /// A run with accumulated quadrics.
     pub(crate) fn accumulated(&self) -> impl Level {
-        self.start(Accumulated::new, Finish::AsIs)
+        self.start(Accumulated::new, Finish::Refit(FEW))
     }
 
     /// A run with Melax's cost.
@@ -141,18 +147,23 @@ impl<C: Cost> Level for Levels<'_, C> {
         self.run.until(faces)
     }
 
-    fn simplified(&self, stopped: Stopped) -> Simplified {
+    fn simplified(&self, stopped: Stopped, bound: bool) -> Simplified {
         let Prepared { mesh, welded, built, irregular, .. } = self.prepared;
         let mut snapshot = Snapshot::take(&self.run);
-        let mut error = 0.0;
-        if self.faces() < built.surface.faces.len() {
-            if self.finish == Finish::Refit {
-                let original = Original::new(mesh, welded, built.surface.scale);
-                Refit::new(&original, &snapshot.surface, &snapshot.becomes)
-                    .apply(&mut snapshot.surface, &snapshot.fixed);
-            }
-            error = deviation(&built.surface, &snapshot.surface, &snapshot.becomes) / built.surface.scale;
+        let changed = self.faces() < built.surface.faces.len();
+        if let Finish::Refit(samples) = self.finish
+            && changed
+            && (samples == MANY || built.surface.faces.len() > samples/2 * self.faces())
+        {
+            let original = Original::new(mesh, welded, built.surface.scale);
+            let refit = Refit::new(&original, &snapshot.surface, &snapshot.becomes, samples);
+            refit.apply(&mut snapshot.surface, &snapshot.fixed);
         }
+        let deviation = |snapshot: &Snapshot| match changed {
+            true => deviation(&built.surface, &snapshot.surface, &snapshot.becomes) / built.surface.scale,
+            false => 0.0,
+        };
+        let error = bound.then(|| deviation(&snapshot));
         let (mesh, becomes) = snapshot.mesh(&welded.point_of, self.run.wedges.as_ref());
         Simplified { mesh, stopped, error, becomes, irregular: *irregular }
     }

@@ -12,8 +12,6 @@ use crate::collapse::quadric::Symmetric;
 use crate::collapse::surface::{NONE, Surface, previous};
 use common::math::DVec3;
 
-/// Samples for each point that is left, if there are so many.
-const SAMPLES: usize = 32;
 /// How often points are moved.
 const STEPS: usize = 2;
 /// Samples that are further off count more, in proportion to their square over the mean square …
@@ -48,9 +46,11 @@ pub(super) struct Refit<'a> {
 
 impl<'a> Refit<'a> {
     /// Ties the samples: `becomes` tells for every point of the original a point of the surface
-    /// close by, [`NONE`] if there is none.
-    pub(super) fn new(original: &'a Original, surface: &Surface, becomes: &[u32]) -> Self {
-        let stride = (2 * original.triangles().len() / (surface.alive * SAMPLES).max(1)).max(1);
+    /// close by, [`NONE`] if there is none. No more than about `samples` are taken for each point
+    /// that is left.
+    pub(super) fn new(original: &'a Original, surface: &Surface, becomes: &[u32], samples: usize) -> Self {
+        // There are half as many points as faces.
+        let stride = (2 * original.triangles().len() / (surface.alive * samples).max(1)).max(1);
         let mut landings = Vec::with_capacity(original.triangles().len() / stride + 1);
         let mut looks = vec![DVec3::ZERO; surface.faces.len()];
         let (mut sum, mut weight) = (0.0, 0.0);
@@ -86,15 +86,21 @@ impl<'a> Refit<'a> {
         let samples = self.original.triangles().step_by(self.stride).zip(&self.landings);
         for (corners, landing) in samples.filter(|(_, landing)| landing.face != NONE) {
             let (centre, area_normal) = self.original.middle(corners);
-            let (distance, normal) = landing.apart(surface, centre);
-            let far = (distance * distance / self.mean_square).min(FARTHEST);
-            let weight = area_normal.length() * (1.0 + FAR * far);
-            let plane = Symmetric::outer(normal, weight);
+            let (apart, along) = landing.apart(surface, centre);
+            // Everything is divided by |along|² in the end, so that no root need be taken.
+            let (reach, length2) = (apart.dot(along), along.length_squared());
+            if length2 == 0.0 {
+                continue;
+            }
+            let far = (reach * reach / (length2 * self.mean_square)).min(FARTHEST);
+            let weight = area_normal.length() * (1.0 + FAR * far) / length2;
+            let plane = Symmetric::outer(along, weight);
+            let force = along * (weight * reach);
             let corners = surface.faces[landing.face as usize].corners();
             for (point, share) in corners.into_iter().zip(landing.weights) {
                 let pull = &mut pulls[point as usize];
                 pull.stiffness += plane * f64::from(share);
-                pull.force += normal * (weight * distance * f64::from(share));
+                pull.force += force * f64::from(share);
             }
         }
         pulls
@@ -126,25 +132,31 @@ impl<'a> Refit<'a> {
         surface.fan(point).all(|h| {
             let [p, q] = [surface.end(h), surface.start(previous(h))].map(|p| surface.at(p));
             let (before, after) = ((p - from).cross(q - from), (p - to).cross(q - to));
-            let cosine = |a: DVec3, b: DVec3| a.dot(b) / (a.length() * b.length());
             let look = self.looks[(h >> 2) as usize];
-            let (looked, looks) = (cosine(before, look), cosine(after, look));
-            // Comparisons with NaN, from what has no length, are false.
-            cosine(before, after) > LEAST_COSINE && !(looks < LEAST_COSINE && looks < looked)
+            turns_less(before, after) && (turns_less(after, look) || brings_nearer(before, after, look))
         })
     }
 }
 
+/// Whether the angle between two vectors has at least the least cosine; also if one is zero.
+fn turns_less(a: DVec3, b: DVec3) -> bool {
+    let dot = a.dot(b);
+    dot >= 0.0 && dot * dot >= LEAST_COSINE * LEAST_COSINE * a.length_squared() * b.length_squared()
+}
+
+/// Whether `after` makes a smaller angle with `look` than `before` does.
+fn brings_nearer(before: DVec3, after: DVec3, look: DVec3) -> bool {
+    before.dot(look) * after.length() <= after.dot(look) * before.length()
+}
+
 impl Landing {
-    /// How far a sample is from where it landed, and in which direction that counts: along the
-    /// normal of the face, or straight if it landed on the face's rim.
+    /// The way from where a sample landed to where it is, and the direction in which that counts:
+    /// along the normal of the face, or straight if it landed on the face's rim.
     #[inline(always)]
-    fn apart(&self, surface: &Surface, sample: DVec3) -> (f64, DVec3) {
+    fn apart(&self, surface: &Surface, sample: DVec3) -> (DVec3, DVec3) {
         let [a, b, c] = surface.faces[self.face as usize].corners().map(|i| surface.at(i));
         let [u, v, w] = self.weights.map(f64::from);
         let apart = sample - (a * u + b * v + c * w);
-        let direction = if self.is_inside() { (b - a).cross(c - a) } else { apart };
-        let normal = direction.normalize_or_zero();
-        (normal.dot(apart), normal)
+        (apart, if self.is_inside() { (b - a).cross(c - a) } else { apart })
     }
 }

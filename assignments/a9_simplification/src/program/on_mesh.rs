@@ -28,7 +28,7 @@ pub fn run(args: &SimplifyArgs) -> Result<(), AppError> {
     let results = match &args.goals.compare {
         Some(other) => vec![unchanged(files::read(other)?)],
         None => {
-            let settings = Settings { method: args.method };
+            let settings = Settings { method: args.method, bound: args.measures() };
             report.time("simplify", || args.on_threads(|| simplify(&mesh, &goals, &settings)))??
         }
     };
@@ -49,7 +49,7 @@ pub fn run(args: &SimplifyArgs) -> Result<(), AppError> {
 /// A mesh that was simplified by somebody else.
 fn unchanged(mesh: Mesh) -> Simplified {
     let irregular = Irregular::default();
-    Simplified { mesh, stopped: Stopped::Reached, error: f64::NAN, becomes: Vec::new(), irregular }
+    Simplified { mesh, stopped: Stopped::Reached, error: None, becomes: Vec::new(), irregular }
 }
 
 /// Refuses what cannot be done, and tasks that leave nothing behind.

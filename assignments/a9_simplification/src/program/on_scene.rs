@@ -73,7 +73,7 @@ fn simplify_meshes(args: &SimplifyArgs, goal: Goal, studio: &mut Studio) -> Resu
 
 fn one(args: &SimplifyArgs, goal: Goal, mesh: &Mesh, number: usize) -> Result<(Mesh, Report), SimplifyError> {
     let mut report = Report::new(&format!("mesh {number}"), args.method);
-    let settings = Settings { method: args.method };
+    let settings = Settings { method: args.method, bound: args.measures() };
     let mut results = report.time("simplify", || simplify(mesh, &[goal], &settings))?;
     let result = results.remove(0);
     let mut level = Level::new((Some(goal), &result));

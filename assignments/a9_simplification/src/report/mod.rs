@@ -45,7 +45,7 @@ pub struct Level {
     /// Why it has no fewer.
     pub stopped: Stopped,
     /// The bound of the distance to the original's surface that the simplifier vouches for, in the
-    /// mesh's own unit; NaN if none does.
+    /// mesh's own unit; NaN if none was asked for.
     pub bound: f64,
     /// What was found in the original that is no part of a surface.
     pub irregular: Irregular,
@@ -109,7 +109,7 @@ impl Level {
             goal,
             faces: result.mesh.triangles.len(),
             stopped: result.stopped,
-            bound: result.error,
+            bound: result.error.unwrap_or(f64::NAN),
             irregular: result.irregular,
             comparison: None,
             notes: Vec::new(),

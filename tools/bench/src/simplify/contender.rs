@@ -9,8 +9,9 @@ use common::mesh::Mesh;
 pub struct Contender {
     /// What it is called in tables.
     pub name: &'static str,
-    /// From a mesh and a share of its triangles to a mesh of at most as many.
-    pub run: fn(&Mesh, f64) -> Result<Outcome, AppError>,
+    /// From a mesh and a share of its triangles to a mesh of at most as many, with a bound of its
+    /// error if that is asked for and can be had.
+    pub run: fn(&Mesh, f64, bool) -> Result<Outcome, AppError>,
 }
 
 /// What comes out.
@@ -24,9 +25,9 @@ pub struct Outcome {
 }
 
 const OURS: [Contender; 3] = [
-    Contender { name: "qem", run: |mesh, ratio| ours(mesh, ratio, Method::Qem) },
-    Contender { name: "memoryless", run: |mesh, ratio| ours(mesh, ratio, Method::Memoryless) },
-    Contender { name: "melax", run: |mesh, ratio| ours(mesh, ratio, Method::Melax) },
+    Contender { name: "qem", run: |mesh, ratio, bound| ours(mesh, ratio, bound, Method::Qem) },
+    Contender { name: "memoryless", run: |mesh, ratio, bound| ours(mesh, ratio, bound, Method::Memoryless) },
+    Contender { name: "melax", run: |mesh, ratio, bound| ours(mesh, ratio, bound, Method::Melax) },
 ];
 
 #[cfg(feature = "peers")]
@@ -57,8 +58,8 @@ pub fn chosen(names: &[String]) -> Result<Vec<Contender>, AppError> {
     names.iter().map(find).collect()
 }
 
-fn ours(mesh: &Mesh, ratio: f64, method: Method) -> Result<Outcome, AppError> {
-    let mut results = simplify(mesh, &[Goal::Ratio(ratio)], &Settings { method })?;
+fn ours(mesh: &Mesh, ratio: f64, bound: bool, method: Method) -> Result<Outcome, AppError> {
+    let mut results = simplify(mesh, &[Goal::Ratio(ratio)], &Settings { method, bound })?;
     let result = results.remove(0);
-    Ok(Outcome { mesh: result.mesh, stuck: result.stopped == Stopped::Stuck, bound: Some(result.error) })
+    Ok(Outcome { mesh: result.mesh, stuck: result.stopped == Stopped::Stuck, bound: result.error })
 }

@@ -31,7 +31,7 @@ fn outcome(positions: Vec<[f32; 3]>, indices: &[u32]) -> Outcome {
     Outcome { mesh, stuck: true, bound: None }
 }
 
-fn plain(mesh: &Mesh, ratio: f64) -> Result<Outcome, AppError> {
+fn plain(mesh: &Mesh, ratio: f64, _: bool) -> Result<Outcome, AppError> {
     let positions = positions(mesh);
     let vertices = VertexDataAdapter::new(typed_to_bytes(&positions), 12, 0)?;
     let indices = mesh.triangles.as_flattened();
@@ -40,7 +40,7 @@ fn plain(mesh: &Mesh, ratio: f64) -> Result<Outcome, AppError> {
     Ok(outcome(positions, &left))
 }
 
-fn updated(mesh: &Mesh, ratio: f64) -> Result<Outcome, AppError> {
+fn updated(mesh: &Mesh, ratio: f64, _: bool) -> Result<Outcome, AppError> {
     let mut positions = positions(mesh);
     let mut indices = mesh.triangles.as_flattened().to_vec();
     let target = target(mesh, ratio);
