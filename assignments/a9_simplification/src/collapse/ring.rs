@@ -4,7 +4,7 @@ use crate::collapse::surface::{NONE, Surface, previous};
 use common::math::DVec3;
 
 /// Least cosine of the angle by which one step may turn a face.
-const LEAST_COSINE: f64 = 0.2;
+const LEAST_COSINE: f64 = 0.5;
 /// Least quality 4√3·area/Σ side² of a face that a step makes, 1 for an equilateral triangle;
 /// faces that become better may be worse than that.
 const LEAST_QUALITY: f64 = 1e-3;

