@@ -6,7 +6,8 @@
 //! that it lies over. Whichever face that is, its distance is a bound of that to the surface: how
 //! well polygons and faces are matched decides how close the bound is, not whether it holds.
 
-use crate::collapse::locate::{Landing, locate, nearest};
+use crate::collapse::cells::Cells;
+use crate::collapse::locate::{locate, nearest};
 use crate::collapse::surface::{NONE, Surface};
 use common::math::DVec3;
 
@@ -40,30 +41,33 @@ struct Task {
 }
 
 /// Bound of the distance from any point of `from` to `to`, both in the same unit. For every point
-/// of `from`, `near` tells a point of `to` to start looking at.
+/// of `from`, `near` tells a point of `to` that should be close.
 pub(super) fn deviation(from: &Surface, to: &Surface, near: &[u32]) -> f64 {
-    let mut bound = 0.0f64;
+    let mut bound = LEAST;
     let mut starts = Vec::with_capacity(from.faces.len());
     for face in &from.faces {
         let corners = face.corners();
         let [a, b, c] = corners.map(|p| from.at(p));
         let (square, landing) = locate(to, near[corners[0] as usize], (a + b + c) / 3.0);
-        bound = bound.max(square);
-        starts.push(landing.face);
+        starts.push((square, landing.face));
     }
-    bound = bound.sqrt().max(LEAST);
+    let cells = Cells::new(to);
+    let find = |p: DVec3| cells.nearest(p);
+    // A large distance is there to be found early, so that the others need not be looked at.
+    let largest = from.faces.iter().zip(&starts).max_by(|x, y| x.1.0.total_cmp(&y.1.0));
+    if let Some((face, _)) = largest {
+        let [a, b, c] = face.corners().map(|p| from.at(p));
+        bound = bound.max(find((a + b + c) / 3.0).0.sqrt());
+    }
     let most = MOST_POLYGONS * (1 + to.faces.len() / from.faces.len().max(1));
     let mut tasks = Vec::new();
-    for (face, &start) in from.faces.iter().zip(&starts) {
-        let corners = face.corners();
-        let polygon = Polygon::triangle(corners.map(|p| from.at(p)));
-        let [a, b, c] = corners.map(|corner| near[corner as usize]);
-        let seeds = [a, b, c, to.faces[start as usize].corners()[0]];
+    for (face, &(_, start)) in from.faces.iter().zip(&starts) {
+        let polygon = Polygon::triangle(face.corners().map(|p| from.at(p)));
         tasks.push(Task { polygon, face: start, entry: NONE, way: 0 });
         let mut left = most;
         while let Some(task) = tasks.pop() {
             left = left.saturating_sub(1);
-            bound = bound.max(task.hold(to, &seeds, bound * SLACK, left > 0, &mut tasks));
+            bound = bound.max(task.hold(to, &find, bound * SLACK, left > 0, &mut tasks));
         }
     }
     bound * SLACK
@@ -84,19 +88,25 @@ pub(super) fn closest(original: &Surface, simplified: &Surface, becomes: &[u32])
 
 impl Task {
     /// The distance of what lies over the face. The rest goes to the face's neighbours, unless all
-    /// of it is nearer than `enough` or it may not be cut any more. `seeds` are points of the surface
-    /// near the triangle.
-    fn hold(&self, to: &Surface, seeds: &[u32], enough: f64, cut: bool, tasks: &mut Vec<Self>) -> f64 {
+    /// of it is nearer than `enough` or it may not be cut any more. `find` tells the nearest place.
+    fn hold(
+        &self,
+        to: &Surface,
+        find: &impl Fn(DVec3) -> (f64, u32),
+        enough: f64,
+        cut: bool,
+        tasks: &mut Vec<Self>,
+    ) -> f64 {
         let [a, b, c] = to.faces[self.face as usize].corners().map(|p| to.at(p));
         let whole = self.polygon.distance(a, b, c);
         if whole <= enough {
             return 0.0;
         }
         if !cut {
-            return whole.min(self.polygon.about_middle(|p| find(to, seeds, self.face, p)));
+            return whole.min(self.polygon.about_middle(find));
         }
         if self.way > LONGEST_WAY {
-            return self.settle(to, seeds, self.polygon, enough, tasks);
+            return self.settle(to, find, self.polygon, enough, tasks);
         }
         let mut inside = self.polygon;
         for (corner, (start, end)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
@@ -116,23 +126,29 @@ impl Task {
                 return 0.0;
             }
         }
-        self.settle(to, seeds, inside, enough, tasks)
+        self.settle(to, find, inside, enough, tasks)
     }
 
     /// The distance of a polygon that lies over the face, if that is about what there is to find;
     /// else the polygon is held against a nearer face, or its halves are.
-    fn settle(&self, to: &Surface, seeds: &[u32], polygon: Polygon, enough: f64, tasks: &mut Vec<Self>) -> f64 {
+    fn settle(
+        &self,
+        to: &Surface,
+        find: &impl Fn(DVec3) -> (f64, u32),
+        polygon: Polygon,
+        enough: f64,
+        tasks: &mut Vec<Self>,
+    ) -> f64 {
         let [a, b, c] = to.faces[self.face as usize].corners().map(|p| to.at(p));
-        let found = |p: DVec3| find(to, seeds, self.face, p);
-        let distance = polygon.distance(a, b, c).min(polygon.about_middle(found));
+        let distance = polygon.distance(a, b, c).min(polygon.about_middle(find));
         if distance <= enough {
             return 0.0;
         }
-        let worst = polygon.corners().map(|p| found(p).0).fold(0.0, f64::max).sqrt();
+        let worst = polygon.corners().map(|p| find(p).0).fold(0.0, f64::max).sqrt();
         if distance <= worst * SLACK {
             return distance;
         }
-        let nearer = found(polygon.middle()).1.face;
+        let nearer = find(polygon.middle()).1;
         let lost = |polygon| Self { polygon, face: nearer, entry: NONE, way: NONE };
         if nearer != self.face {
             tasks.push(lost(polygon));
@@ -141,13 +157,6 @@ impl Task {
         }
         0.0
     }
-}
-
-/// The nearest place that is found from any of the seeds or from a face.
-fn find(to: &Surface, seeds: &[u32], face: u32, p: DVec3) -> (f64, Landing) {
-    let corner = to.faces[face as usize].corners()[0];
-    let from_all = seeds.iter().chain([&corner]).map(|&seed| locate(to, seed, p));
-    from_all.min_by(|x, y| x.0.total_cmp(&y.0)).expect("there is a seed")
 }
 
 impl Polygon {
@@ -166,16 +175,17 @@ impl Polygon {
     }
 
     /// Distance of its middle and how far it reaches from there.
-    fn about_middle(&self, found: impl Fn(DVec3) -> (f64, Landing)) -> f64 {
+    fn about_middle(&self, find: impl Fn(DVec3) -> (f64, u32)) -> f64 {
         let middle = self.middle();
         let reach = self.corners().map(|p| (p - middle).length_squared()).fold(0.0, f64::max).sqrt();
-        found(middle).0.sqrt() + reach
+        find(middle).0.sqrt() + reach
     }
 
     /// Cut across its longest side.
     fn halves(self) -> [Self; 2] {
         let sides = (0..self.count).map(|i| (self.corners[i], self.corners[(i + 1) % self.count]));
-        let longest = sides.max_by(|s, t| (s.1 - s.0).length_squared().total_cmp(&(t.1 - t.0).length_squared()));
+        let longest =
+            sides.max_by(|s, t| (s.1 - s.0).length_squared().total_cmp(&(t.1 - t.0).length_squared()));
         let (p, q) = longest.expect("a polygon has sides");
         let (middle, along) = ((p + q) / 2.0, q - p);
         let mut kept = self;
@@ -201,7 +211,8 @@ impl Polygon {
     /// corners is not cut.
     fn clip(&mut self, height: impl Fn(DVec3) -> f64) -> Option<Self> {
         let whole = *self;
-        let heights: [f64; CORNERS] = std::array::from_fn(|i| if i < whole.count { height(whole.corners[i]) } else { 0.0 });
+        let heights: [f64; CORNERS] =
+            std::array::from_fn(|i| if i < whole.count { height(whole.corners[i]) } else { 0.0 });
         let above = heights[..whole.count].iter().filter(|&&h| h > 0.0).count();
         if above == 0 || whole.count + 2 > CORNERS {
             return None;
@@ -214,7 +225,11 @@ impl Polygon {
         for i in 0..whole.count {
             let j = (i + 1) % whole.count;
             let (p, q) = (whole.corners[i], whole.corners[j]);
-            if heights[i] > 0.0 { rest.push(p) } else { kept.push(p) }
+            if heights[i] > 0.0 {
+                rest.push(p)
+            } else {
+                kept.push(p)
+            }
             if (heights[i] > 0.0) != (heights[j] > 0.0) {
                 let crossing = p + (q - p) * (heights[i] / (heights[i] - heights[j]));
                 kept.push(crossing);

@@ -75,7 +75,8 @@ impl<'a> Prepared<'a> {
         if built.cut.contains(&true) {
             repeated = repeats(triangles());
             if !repeated.is_empty() {
-                let kept = triangles().enumerate().filter(|(i, t)| Original::is_proper(*t) && !repeated.contains(i));
+                let kept =
+                    triangles().enumerate().filter(|(i, t)| Original::is_proper(*t) && !repeated.contains(i));
                 built = build(&welded.places, kept.map(|(_, t)| t));
             }
         }
@@ -167,7 +168,7 @@ impl<C: Cost> Level for Levels<'_, C> {
         let changed = self.faces() < built.surface.faces.len();
         if let Finish::Refit(samples) = self.finish
             && changed
-            && (samples == MANY || built.surface.faces.len() > samples/2 * self.faces())
+            && (samples == MANY || built.surface.faces.len() > samples / 2 * self.faces())
         {
             let original = Original::new(mesh, welded, built.surface.scale);
             let refit = Refit::new(&original, &snapshot.surface, &snapshot.becomes, samples);

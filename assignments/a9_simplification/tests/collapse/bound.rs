@@ -77,5 +77,11 @@ fn goals_by_error_are_kept_and_used() {
 #[test]
 fn without_error_what_is_flat_still_goes() {
     let flat = crate::shapes::grid(10, |u, v| Vec3::new(u, v, 0.0));
-    assert_eq!(one(&mesh(flat.positions, flat.triangles), Goal::Error(1e-6), Method::Memoryless).mesh.triangles.len(), 2);
+    assert_eq!(
+        one(&mesh(flat.positions, flat.triangles), Goal::Error(1e-6), Method::Memoryless)
+            .mesh
+            .triangles
+            .len(),
+        2
+    );
 }

@@ -31,7 +31,9 @@ fn what_makes_no_sense_is_refused_with_its_place() {
     let mut bad = good.clone();
     bad.uvs = vec![Vec2::ZERO; 3];
     assert!(matches!(refused(&bad, Goal::Faces(2)), SimplifyError::Unaligned { given: 3, vertices: 16, .. }));
-    for goal in [Goal::Ratio(f64::NAN), Goal::Ratio(-0.1), Goal::Ratio(1.5), Goal::Error(-1.0), Goal::Error(f64::NAN)] {
+    for goal in
+        [Goal::Ratio(f64::NAN), Goal::Ratio(-0.1), Goal::Ratio(1.5), Goal::Error(-1.0), Goal::Error(f64::NAN)]
+    {
         assert!(matches!(refused(&good, goal), SimplifyError::BadGoal { goal: 0, .. }), "{goal:?}");
     }
 }
