@@ -1,5 +1,5 @@
-use common::mesh::Mesh;
 use common::math::Vec3;
+use common::mesh::Mesh;
 use std::io::Write;
 
 fn cpu() -> f64 {
@@ -21,33 +21,73 @@ pub fn load(path: &str) -> Mesh {
         common::mesh::read_obj(std::path::Path::new(path)).unwrap()
     } else {
         let g = path.parse::<modeller::generated::Recipe>().unwrap().make();
-        Mesh { positions: g.positions.into_iter().map(Vec3::from_array).collect(), triangles: g.triangles, ..Mesh::default() }
+        Mesh {
+            positions: g.positions.into_iter().map(Vec3::from_array).collect(),
+            triangles: g.triangles,
+            ..Mesh::default()
+        }
     }
 }
 fn save(path: &str, m: &Mesh) {
     let mut b = Vec::new();
-    for n in [m.positions.len(), m.triangles.len()] { b.extend((n as i32).to_le_bytes()); }
-    for p in &m.positions { for c in p.to_array() { b.extend((c as f64).to_le_bytes()); } }
-    for t in &m.triangles { for &c in t { b.extend((c as i32).to_le_bytes()); } }
+    for n in [m.positions.len(), m.triangles.len()] {
+        b.extend((n as i32).to_le_bytes());
+    }
+    for p in &m.positions {
+        for c in p.to_array() {
+            b.extend((c as f64).to_le_bytes());
+        }
+    }
+    for t in &m.triangles {
+        for &c in t {
+            b.extend((c as i32).to_le_bytes());
+        }
+    }
     std::fs::File::create(path).unwrap().write_all(&b).unwrap();
 }
 fn main() {
     let a: Vec<String> = std::env::args().collect();
     let m = load(&a[1]);
-    if a[2] == "save" { save(&a[3], &m); return; }
+    if a[2] == "save" {
+        save(&a[3], &m);
+        return;
+    }
     let ratio: f64 = a[2].parse().unwrap();
     let reps: usize = a.get(4).map_or(1, |s| s.parse().unwrap());
-    let method = match std::env::var("M").as_deref() { Ok("qem") => a9_simplification::Method::Qem, Ok("melax") => a9_simplification::Method::Melax, _ => a9_simplification::Method::Memoryless };
-    let goal = if ratio < 0.0 { a9_simplification::Goal::Error(-ratio) } else { a9_simplification::Goal::Ratio(ratio) };
+    let method = match std::env::var("M").as_deref() {
+        Ok("qem") => a9_simplification::Method::Qem,
+        Ok("melax") => a9_simplification::Method::Melax,
+        _ => a9_simplification::Method::Memoryless,
+    };
+    let goal = if ratio < 0.0 {
+        a9_simplification::Goal::Error(-ratio)
+    } else {
+        a9_simplification::Goal::Ratio(ratio)
+    };
     let mut best = f64::MAX;
     let mut out = None;
     for _ in 0..reps {
         let t = cpu();
-        out = a9_simplification::simplify(&m, &[goal], &a9_simplification::Settings { method, bound: std::env::var("B").is_ok() }).unwrap().pop();
+        out = a9_simplification::simplify(
+            &m,
+            &[goal],
+            &a9_simplification::Settings { method, bound: std::env::var("B").is_ok() },
+        )
+        .unwrap()
+        .pop();
         best = best.min(cpu() - t);
     }
     let out = out.unwrap();
     save(&a[3], &out.mesh);
     let b = common::math::Bounds::of_points(m.positions.iter().copied());
-    println!("{} {} -> {} cpu {:.4} error {:.2} {:?} {:?}", a[1], m.triangles.len(), out.mesh.triangles.len(), best, out.error.unwrap_or(0.0) / b.size().as_dvec3().length() * 1e4, out.stopped, out.irregular);
+    println!(
+        "{} {} -> {} cpu {:.4} error {:.2} {:?} {:?}",
+        a[1],
+        m.triangles.len(),
+        out.mesh.triangles.len(),
+        best,
+        out.error.unwrap_or(0.0) / b.size().as_dvec3().length() * 1e4,
+        out.stopped,
+        out.irregular
+    );
 }

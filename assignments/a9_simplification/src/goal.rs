@@ -64,9 +64,10 @@ pub struct Simplified {
     pub mesh: Mesh,
     /// Why it has no fewer triangles.
     pub stopped: Stopped,
-    /// Bound of the distance from any point of its surface to the nearest of the original's, in
-    /// the mesh's own unit. It is not one of the way back: a spike that is gone may have been
-    /// longer. There if [`Settings::bound`] asked for it or the goal was one.
+    /// Bound of the Hausdorff distance between its surface and the original's, in the mesh's own
+    /// unit: no point of either is further from the other. It is a few
+    /// hundredths larger than it need be where the surfaces run beside each other. There if
+    /// [`Settings::bound`] asked for it or the goal was one.
     pub error: Option<f64>,
     /// For every vertex of the original the one it became; `u32::MAX` if it is gone altogether.
     pub becomes: Vec<u32>,

@@ -3,7 +3,7 @@
 use crate::collapse::accumulated::Accumulated;
 use crate::collapse::build::{Built, build};
 use crate::collapse::cost::Cost;
-use crate::collapse::deviation::deviation;
+use crate::collapse::deviation::{closest, deviation};
 use crate::collapse::melax::Curvature;
 use crate::collapse::memoryless::Memoryless;
 use crate::collapse::original::Original;
@@ -75,7 +75,8 @@ impl<'a> Prepared<'a> {
         if built.cut.contains(&true) {
             repeated = repeats(triangles());
             if !repeated.is_empty() {
-                let kept = triangles().enumerate().filter(|(i, t)| Original::is_proper(*t) && !repeated.contains(i));
+                let kept =
+                    triangles().enumerate().filter(|(i, t)| Original::is_proper(*t) && !repeated.contains(i));
                 built = build(&welded.places, kept.map(|(_, t)| t));
             }
         }
@@ -126,6 +127,20 @@ fn repeats(triangles: impl Iterator<Item = [u32; 3]>) -> HashSet<usize> {
     repeats.map(|(i, _)| i).collect()
 }
 
+impl<C: Cost> Levels<'_, C> {
+    /// Bound of the distance between what is left and the original, both ways.
+    fn error(&self, snapshot: &Snapshot) -> f64 {
+        let (original, left) = (&self.prepared.built.surface, &snapshot.surface);
+        let near = closest(original, left, &snapshot.becomes);
+        let there = deviation(left, original, &near);
+        // Copies of points come after those that are told what they became.
+        let held = |point: usize| self.run.original((snapshot.becomes.len() + point) as u32);
+        let copies = (0..self.run.copies.len()).map(|copy| snapshot.becomes[held(copy) as usize]);
+        let becomes: Vec<u32> = snapshot.becomes.iter().copied().chain(copies).collect();
+        there.max(deviation(original, left, &becomes)) / original.scale
+    }
+}
+
 impl<C: Cost> Clone for Levels<'_, C> {
     fn clone(&self) -> Self {
         Self { prepared: self.prepared, run: self.run.clone(), finish: self.finish }
@@ -153,17 +168,13 @@ impl<C: Cost> Level for Levels<'_, C> {
         let changed = self.faces() < built.surface.faces.len();
         if let Finish::Refit(samples) = self.finish
             && changed
-            && (samples == MANY || built.surface.faces.len() > samples/2 * self.faces())
+            && (samples == MANY || built.surface.faces.len() > samples / 2 * self.faces())
         {
             let original = Original::new(mesh, welded, built.surface.scale);
             let refit = Refit::new(&original, &snapshot.surface, &snapshot.becomes, samples);
             refit.apply(&mut snapshot.surface, &snapshot.fixed);
         }
-        let deviation = |snapshot: &Snapshot| match changed {
-            true => deviation(&built.surface, &snapshot.surface, &snapshot.becomes) / built.surface.scale,
-            false => 0.0,
-        };
-        let error = bound.then(|| deviation(&snapshot));
+        let error = bound.then(|| if changed { self.error(&snapshot) } else { 0.0 });
         let (mesh, becomes) = snapshot.mesh(&welded.point_of, self.run.wedges.as_ref());
         Simplified { mesh, stopped, error, becomes, irregular: *irregular }
     }

@@ -28,7 +28,13 @@ impl Landing {
     /// The corner of the face that has most weight.
     pub(super) fn corner(&self, surface: &Surface) -> u32 {
         let [a, b, c] = self.weights;
-        let most = if a >= b && a >= c { 0 } else if b >= c { 1 } else { 2 };
+        let most = if a >= b && a >= c {
+            0
+        } else if b >= c {
+            1
+        } else {
+            2
+        };
         surface.faces[self.face as usize].corners()[most]
     }
 }

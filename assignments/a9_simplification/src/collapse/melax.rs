@@ -54,7 +54,8 @@ fn boundary_curvature(surface: &Surface, moves: u32, h: u32) -> f64 {
     let first = surface.points[moves as usize].out;
     let last = surface.fan(moves).last().map_or(first, previous);
     let from = surface.at(moves);
-    let [p, q] = [surface.end(first), surface.start(last)].map(|p| (surface.at(p) - from).normalize_or_zero());
+    let [p, q] =
+        [surface.end(first), surface.start(last)].map(|p| (surface.at(p) - from).normalize_or_zero());
     (1.0 + p.dot(q)) / 2.0
 }
 

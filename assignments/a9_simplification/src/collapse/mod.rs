@@ -6,6 +6,7 @@
 
 mod accumulated;
 mod build;
+mod cells;
 mod cost;
 mod deviation;
 mod levels;

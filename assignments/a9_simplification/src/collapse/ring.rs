@@ -4,7 +4,7 @@ use crate::collapse::surface::{NONE, Surface, previous};
 use common::math::DVec3;
 
 /// Least cosine of the angle by which one step may turn a face.
-const LEAST_COSINE: f64 = 0.2;
+const LEAST_COSINE: f64 = 0.5;
 /// Least quality 4√3·area/Σ side² of a face that a step makes, 1 for an equilateral triangle;
 /// faces that become better may be worse than that.
 const LEAST_QUALITY: f64 = 1e-3;
@@ -121,7 +121,9 @@ impl Ring {
             face.after = u.cross(w);
             let (before, after) = (face.before.length_squared(), face.after.length_squared());
             let size = (q - p).length_squared() + u.length_squared() + w.length_squared();
-            let old_size = (q - p).length_squared() + (p - face.from).length_squared() + (q - face.from).length_squared();
+            let old_size = (q - p).length_squared()
+                + (p - face.from).length_squared()
+                + (q - face.from).length_squared();
             is_no_worse(after, size, before, old_size)
                 && has_not_turned(face.before, face.after, before, after)
                 && surface.faces[face.face as usize].looks_along(face.after)
@@ -135,7 +137,8 @@ fn is_no_worse(after: f64, size: f64, before: f64, old_size: f64) -> bool {
     // 4√3·area/Σ side² where the area is half of the normal.
     const LEAST: f64 = LEAST_QUALITY * LEAST_QUALITY / 12.0;
     let square = size * size;
-    after >= LEAST * square || (after * old_size * old_size >= before * square && after > ROUNDING * ROUNDING * square)
+    after >= LEAST * square
+        || (after * old_size * old_size >= before * square && after > ROUNDING * ROUNDING * square)
 }
 
 #[inline(always)]

@@ -31,8 +31,15 @@ impl Snapshot {
         }
         let half_edge = |h: u32| if h == NONE { NONE } else { new_face[(h >> 2) as usize] << 2 | (h & 3) };
         let surface = Surface {
-            faces: faces.iter().map(|&face| run.surface.faces[face as usize].renumbered(|p| number[p as usize], half_edge)).collect(),
-            points: points.iter().map(|&p| run.surface.points[p as usize]).map(|p| Point { at: p.at, out: half_edge(p.out) }).collect(),
+            faces: faces
+                .iter()
+                .map(|&face| run.surface.faces[face as usize].renumbered(|p| number[p as usize], half_edge))
+                .collect(),
+            points: points
+                .iter()
+                .map(|&p| run.surface.points[p as usize])
+                .map(|p| Point { at: p.at, out: half_edge(p.out) })
+                .collect(),
             alive: faces.len(),
             scale: run.surface.scale,
         };

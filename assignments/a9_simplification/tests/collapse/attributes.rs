@@ -12,7 +12,9 @@ fn tube(n: u32) -> Mesh {
     let around = |u: f32| if u == 1.0 { 0.0 } else { TAU * u };
     let mut tube = grid(n, |u, v| Vec3::new(around(u).cos(), around(u).sin(), 3.0 * v));
     tube.normals = tube.positions.iter().map(|p| Vec3::new(p.x, p.y, 0.0)).collect();
-    tube.uvs = (0..(n + 1) * (n + 1)).map(|i| Vec2::new((i % (n + 1)) as f32, (i / (n + 1)) as f32) / n as f32).collect();
+    tube.uvs = (0..(n + 1) * (n + 1))
+        .map(|i| Vec2::new((i % (n + 1)) as f32, (i / (n + 1)) as f32) / n as f32)
+        .collect();
     tube
 }
 

@@ -46,8 +46,8 @@ fn the_error_bounds_what_is_sampled() {
         for method in METHODS {
             for ratio in [0.5, 0.15] {
                 let Simplified { mesh, error, .. } = one(&original, Goal::Ratio(ratio), method);
-                let (error, found) = (error.unwrap(), sampled(&mesh, &original, 4));
-                // Positions are rounded to f32 on the way out, distances to f64 only.
+                let found = sampled(&mesh, &original, 4).max(sampled(&original, &mesh, 2));
+                let error = error.unwrap();
                 assert!(error >= found * (1.0 - 1e-9), "{recipe} {method:?} {ratio}: {error} < {found}");
             }
         }
@@ -58,17 +58,17 @@ fn the_error_bounds_what_is_sampled() {
 fn the_bound_is_close() {
     let original = generated("sphere4000");
     let Simplified { mesh, error, .. } = one(&original, Goal::Ratio(0.2), Method::Memoryless);
-    assert!(error.unwrap() < 1.3 * sampled(&mesh, &original, 3));
+    assert!(error.unwrap() < 1.3 * sampled(&mesh, &original, 3).max(sampled(&original, &mesh, 2)));
 }
 
 #[test]
 fn goals_by_error_are_kept_and_used() {
     let original = generated("sphere4000");
     let mut last = usize::MAX;
-    for most in [1e-4, 1e-3, 1e-2] {
+    for most in [1e-3, 3e-3, 1e-2] {
         let Simplified { mesh, error, .. } = one(&original, Goal::Error(most), Method::Memoryless);
         assert!(error.unwrap() <= most * diagonal(&original));
-        assert!(error.unwrap() > 0.4 * most * diagonal(&original), "{most}");
+        assert!(error.unwrap() > 0.3 * most * diagonal(&original), "{most}");
         assert!(mesh.triangles.len() < last, "a larger error for fewer triangles");
         last = mesh.triangles.len();
     }
@@ -77,5 +77,11 @@ fn goals_by_error_are_kept_and_used() {
 #[test]
 fn without_error_what_is_flat_still_goes() {
     let flat = crate::shapes::grid(10, |u, v| Vec3::new(u, v, 0.0));
-    assert_eq!(one(&mesh(flat.positions, flat.triangles), Goal::Error(1e-6), Method::Memoryless).mesh.triangles.len(), 2);
+    assert_eq!(
+        one(&mesh(flat.positions, flat.triangles), Goal::Error(1e-6), Method::Memoryless)
+            .mesh
+            .triangles
+            .len(),
+        2
+    );
 }

@@ -23,7 +23,7 @@ fn a_cube_of_many_triangles_becomes_one_of_twelve() {
         assert!(simplified.mesh.positions.iter().all(corner), "{method:?} {:?}", simplified.mesh.positions);
         assert_eq!(simplified.mesh.positions.len(), 8);
         assert_eq!(volume(&simplified.mesh), 1.0);
-        assert!(simplified.error.unwrap() < 1e-12);
+        assert!(simplified.error.unwrap() < 1e-6);
     }
 }
 
@@ -41,7 +41,8 @@ fn a_square_becomes_two_triangles_without_error() {
             let area = |mesh: &Mesh| mesh.triangles.iter().map(|&t| normal(mesh, t)).sum::<Vec3>();
             let (now, then) = (area(&simplified.mesh), area(square));
             assert!((now - then).length() < 1e-4 * then.length(), "{method:?} {now} {then}");
-            assert!(simplified.error.unwrap() < 1e-6, "{method:?}");
+            // Half a unit in the last place of 100.
+            assert!(simplified.error.unwrap() < 1e-5, "{method:?} {:?}", simplified.error);
         }
     }
 }

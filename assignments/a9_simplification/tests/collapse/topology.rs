@@ -40,7 +40,11 @@ pub fn counts(mesh: &Mesh) -> Counts {
         loops: rim.iter().map(|&[p, _]| rims.find(p)).collect::<HashSet<_>>().len(),
         bad_edges: edges.values().filter(|n| n[0] > 1 || n[1] > 1).count(),
         repeated: mesh.triangles.len() - mesh.triangles.iter().map(sorted).collect::<HashSet<_>>().len(),
-        without_area: mesh.triangles.iter().filter(|t| !has_area(t.map(|i| mesh.positions[i as usize]))).count(),
+        without_area: mesh
+            .triangles
+            .iter()
+            .filter(|t| !has_area(t.map(|i| mesh.positions[i as usize])))
+            .count(),
     }
 }
 

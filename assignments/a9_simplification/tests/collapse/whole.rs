@@ -14,7 +14,10 @@ fn stays_whole(mesh: &Mesh) {
         for (level, ratio) in levels.iter().zip([0.5, 0.1, 0.01]) {
             assert_eq!(counts(&level.mesh), before, "{method:?} {ratio}");
             let most = (mesh.triangles.len() as f64 * ratio) as usize;
-            assert!(level.mesh.triangles.len() <= most || level.stopped == Stopped::Stuck, "{method:?} {ratio}");
+            assert!(
+                level.mesh.triangles.len() <= most || level.stopped == Stopped::Stuck,
+                "{method:?} {ratio}"
+            );
             assert!(level.mesh.triangles.len() + 2 >= most, "no more than asked for");
             assert_eq!(level.becomes.len(), mesh.positions.len());
             assert!(level.becomes.iter().all(|&v| (v as usize) < level.mesh.positions.len()));
@@ -26,7 +29,7 @@ fn stays_whole(mesh: &Mesh) {
 fn p17_a_ball_stays_whole_and_looks_outward() {
     let ball = generated("sphere10k");
     stays_whole(&ball);
-    for method in METHODS {
+    for method in [Method::Qem, Method::Memoryless] {
         let mesh = one(&ball, Goal::Ratio(0.05), method).mesh;
         let inward = |t: &&[u32; 3]| normal(&mesh, **t).dot(mesh.positions[t[0] as usize]) <= 0.0;
         assert_eq!(mesh.triangles.iter().filter(inward).count(), 0, "{method:?}");
