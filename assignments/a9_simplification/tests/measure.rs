@@ -119,9 +119,24 @@ fn a9t5_flipped_faces_are_counted() {
         triangle.swap(0, 1);
     }
     let found = compare(&square(16, 0.0, 0.0), &flipped);
-    assert_eq!(found.flips.faces, 4);
+    assert_eq!((found.flips.faces, found.flips.turned), (4, 4));
     assert_near(found.flips.area, 4.0 / 32.0, 1e-6);
     assert_eq!(found.topology.folded_edges, 0, "a fold is an edge that is sharp, not a wound one");
+}
+
+/// A speck of the original that looks down does not make what lies over it look up wrongly.
+#[test]
+fn a9t5_only_what_looks_against_all_around_it_is_turned_over() {
+    let mut speckled = square(30, 0.0, 0.0);
+    let coarse = square(1, 0.0, 0.001);
+    let [a, b, c] = coarse.triangles[0].map(|v| coarse.positions[v as usize].as_dvec3());
+    let under = Original::new(&speckled).tree().nearest((a + b + c) / 3.0, None).unwrap();
+    let around = under.triangle as usize / 2;
+    for triangle in &mut speckled.triangles[2 * (around - 1)..2 * (around + 2)] {
+        triangle.swap(0, 1);
+    }
+    let flips = compare(&speckled, &coarse).flips;
+    assert_eq!((flips.faces, flips.turned), (1, 0));
 }
 
 /// The bevel of a cube's edge agrees with both its sides; what lies across the edge of a thin

@@ -95,6 +95,7 @@ fn measured(object: Object, comparison: &Comparison) -> Object {
         .with("backward", one_way(&distance.backward))
         .with("boundary", comparison.boundary.as_ref().map_or("null".to_owned(), one_way))
         .with("flipped_faces", flips.faces)
+        .with("turned_faces", flips.turned)
         .number("flipped_area", flips.area)
         .with("topology", topology(&comparison.topology))
         .with("quality", quality(&comparison.quality))

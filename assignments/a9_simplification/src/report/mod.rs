@@ -44,8 +44,8 @@ pub struct Level {
     pub faces: usize,
     /// Why it has no fewer.
     pub stopped: Stopped,
-    /// The bound of the distance to the original's surface that the simplifier vouches for, in the
-    /// mesh's own unit; NaN if none was asked for.
+    /// The bound of the Hausdorff distance that the simplifier vouches for, in the mesh's own unit;
+    /// NaN if none was asked for.
     pub bound: f64,
     /// What was found in the original that is no part of a surface.
     pub irregular: Irregular,
@@ -79,8 +79,8 @@ impl Report {
     pub fn broken(&self, level: &Level) -> Vec<String> {
         let (Some(before), Some(after)) = (&self.original, &level.comparison) else { return Vec::new() };
         let mut broken = before.topology.broken_by(&after.topology);
-        if after.flips.faces > 0 {
-            broken.push(format!("flipped faces: {}", after.flips.faces));
+        if after.flips.turned > 0 {
+            broken.push(format!("faces turned over: {}", after.flips.turned));
         }
         broken
     }

@@ -45,7 +45,8 @@ impl Report {
         let measured = |name: &str, f: &mut Formatter, value: &dyn Fn(&Comparison) -> String| {
             row(f, name, ["-".to_owned()].into_iter().chain(after.iter().map(|c| value(c))))
         };
-        measured("flipped faces", f, &|c| c.flips.faces.to_string())?;
+        measured("faces against the nearest", f, &|c| c.flips.faces.to_string())?;
+        measured("faces turned over", f, &|c| c.flips.turned.to_string())?;
         let bounds = self.levels.iter().map(|level| short(level.bound / before.diagonal));
         row(f, "error vouched for", ["-".to_owned()].into_iter().chain(bounds))?;
         measured("rms", f, &|c| short(c.distance.rms()))?;

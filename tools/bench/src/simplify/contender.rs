@@ -20,7 +20,7 @@ pub struct Outcome {
     pub mesh: Mesh,
     /// Whether it says that it could do no more.
     pub stuck: bool,
-    /// The distance to the original's surface that it vouches for, in the mesh's unit.
+    /// The Hausdorff distance that it vouches for, in the mesh's unit.
     pub bound: Option<f64>,
 }
 

@@ -6,20 +6,22 @@ use common::cli::say;
 
 /// Names of the columns of [`csv`].
 pub const CSV_HEAD: &str = "mesh,triangles,ratio,method,faces,cpu_ms,cpu_ms_low,cpu_ms_high,rms,rms_forward,\
-    rms_backward,hausdorff,hausdorff_forward,hausdorff_backward,bound,quality_min,quality_mean,flipped,\
+    rms_backward,hausdorff,hausdorff_forward,hausdorff_backward,bound,quality_min,quality_mean,flipped,turned,\
     pareto_rms,pareto_hausdorff,faults";
 
-/// Prints the rows of one ratio; a star marks what nothing beats in both time and distance.
+/// Prints the rows of one ratio; a star marks what nothing beats in both time and distance, and
+/// `against` are faces that look against the nearest of the original, turned over or not.
 pub fn print(ratio: f64, rows: &[Row]) {
     say(&format!(
-        "{:<16} {:>8} {:>26} {:>10} {:>10} {:>10} {:>7}",
+        "{:<16} {:>8} {:>26} {:>10} {:>10} {:>10} {:>7} {:>7}",
         format!("ratio {ratio}"),
         "faces",
         "CPU ms",
         "rms",
         "hausdorff",
         "vouched",
-        "shape"
+        "shape",
+        "against"
     ));
     for row in rows {
         let d = &row.comparison.distance;
@@ -27,7 +29,7 @@ pub fn print(ratio: f64, rows: &[Row]) {
         let bound = row.bound.map_or("-".to_owned(), |bound| format!("{:.2}", bound * 1e4));
         let times = [0.5, 0.25, 0.75].map(|q| row.cpu.quantile(q));
         say(&format!(
-            "{:<16} {:>8} {:>26} {:>9.3}{} {:>9.2}{} {bound:>10} {:>7.3} {}",
+            "{:<16} {:>8} {:>26} {:>9.3}{} {:>9.2}{} {bound:>10} {:>7.3} {:>7} {}",
             row.name,
             row.faces,
             format!("{:.2} ({:.2}-{:.2})", times[0], times[1], times[2]),
@@ -36,6 +38,7 @@ pub fn print(ratio: f64, rows: &[Row]) {
             d.hausdorff() * 1e4,
             mark(is_on_front(row, rows, hausdorff)),
             row.comparison.quality.mean,
+            row.comparison.flips.faces,
             row.faults.join("; ")
         ));
     }
@@ -65,10 +68,11 @@ pub fn csv<'a>(
         let numbers = numbers.map(|x| format!("{x:e}")).join(",");
         let fronts = [is_on_front(row, rows, rms), is_on_front(row, rows, hausdorff)].map(u8::from);
         format!(
-            "{mesh},{triangles},{ratio},{},{},{median:.3},{low:.3},{high:.3},{numbers},{},{},{},{}",
+            "{mesh},{triangles},{ratio},{},{},{median:.3},{low:.3},{high:.3},{numbers},{},{},{},{},{}",
             row.name,
             row.faces,
             flips.faces,
+            flips.turned,
             fronts[0],
             fronts[1],
             row.faults.join("; ").replace(',', " ")

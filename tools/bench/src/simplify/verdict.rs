@@ -42,8 +42,8 @@ pub fn judge(
 }
 
 fn of_shape(comparison: &Comparison) -> Option<String> {
-    let flips = comparison.flips.faces;
-    (flips > 0).then(|| format!("{flips} flipped faces"))
+    let turned = comparison.flips.turned;
+    (turned > 0).then(|| format!("{turned} faces turned over"))
 }
 
 fn of_goal(outcome: &Outcome, mesh: &Mesh, ratio: f64) -> Option<String> {
@@ -52,10 +52,10 @@ fn of_goal(outcome: &Outcome, mesh: &Mesh, ratio: f64) -> Option<String> {
     missed.then(|| format!("{faces} faces are more than {most:.0}"))
 }
 
-/// The error vouched for is that of the simplified surface; it is rounded to single precision when
-/// the mesh is, which a sample may see.
+/// No sample of either surface may be further off than is vouched for, but for the rounding of the
+/// mesh to single precision.
 fn of_bound(bound: Option<f64>, comparison: &Comparison) -> Option<String> {
-    let (bound, seen) = (bound?, comparison.distance.backward.max);
+    let (bound, seen) = (bound?, comparison.distance.hausdorff());
     let vouched = seen <= bound * (1.0 + 1e-6) + f64::from(f32::EPSILON);
     (!vouched).then(|| format!("vouches for {bound:.3e}, but is off by {seen:.3e}"))
 }
