@@ -78,6 +78,8 @@ impl Accumulated {
 }
 
 impl Cost for Accumulated {
+    const PATIENCE: u32 = 2;
+
     #[inline(always)]
     fn prefetch(&self, point: u32) {
         prefetch(&self.of[point as usize..]);
