@@ -64,6 +64,30 @@ fn main() {
     } else {
         a9_simplification::Goal::Ratio(ratio)
     };
+    let hwm = || {
+        std::fs::read_to_string("/proc/self/status")
+            .unwrap()
+            .lines()
+            .find(|l| l.starts_with("VmHWM"))
+            .unwrap()
+            .split_whitespace()
+            .nth(1)
+            .unwrap()
+            .parse::<f64>()
+            .unwrap()
+            * 1024.0
+    };
+    let rss = std::fs::read_to_string("/proc/self/status")
+        .unwrap()
+        .lines()
+        .find(|l| l.starts_with("VmRSS"))
+        .unwrap()
+        .split_whitespace()
+        .nth(1)
+        .unwrap()
+        .parse::<f64>()
+        .unwrap()
+        * 1024.0;
     let mut best = f64::MAX;
     let mut out = None;
     for _ in 0..reps {
@@ -78,6 +102,7 @@ fn main() {
         best = best.min(cpu() - t);
     }
     let out = out.unwrap();
+    println!("bytes/triangle {:.0}", (hwm() - rss) / m.triangles.len() as f64);
     save(&a[3], &out.mesh);
     let b = common::math::Bounds::of_points(m.positions.iter().copied());
     println!(

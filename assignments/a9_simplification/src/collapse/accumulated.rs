@@ -16,10 +16,11 @@ const BOUNDARY: f64 = 20.0;
 /// How much the squared length of the edge counts, so that on flat parts short edges come first.
 const SHAPE: f64 = 1e-5;
 
-/// yᵀ·A·y + 2·b·y + c for y relative to the point.
+/// yᵀ·A·y + 2·b·y + c for y relative to the point. Entries of A are as in [`Symmetric`], without
+/// its alignment, which would make half as much again of it.
 #[derive(Clone, Copy, Default)]
 struct Quadric {
-    a: Symmetric,
+    a: [f64; 6],
     b: DVec3,
     c: f64,
 }
@@ -33,14 +34,23 @@ pub(super) struct Accumulated {
 
 impl Quadric {
     #[inline(always)]
+    fn a(&self) -> Symmetric {
+        Symmetric(self.a)
+    }
+
+    fn add(&mut self, plane_or_line: Symmetric) {
+        self.a = (self.a() + plane_or_line).0;
+    }
+
+    #[inline(always)]
     fn at(&self, y: DVec3) -> f64 {
         // Not below zero but for rounding.
-        y.dot(self.a.times(y) + self.b * 2.0) + self.c
+        y.dot(self.a().times(y) + self.b * 2.0) + self.c
     }
 
     /// The same about a point that is `step` away.
     fn moved(&self, step: DVec3) -> Self {
-        Self { a: self.a, b: self.b + self.a.times(step), c: self.at(step).max(0.0) }
+        Self { a: self.a, b: self.b + self.a().times(step), c: self.at(step).max(0.0) }
     }
 }
 
@@ -53,13 +63,13 @@ impl Accumulated {
             let length = normal.length();
             let plane = Symmetric::outer(normal, if length > 0.0 { 1.0 / length } else { 0.0 });
             for (corner, point) in face.corners().into_iter().enumerate() {
-                of[point as usize].a += plane;
+                of[point as usize].add(plane);
                 let h = 4 * i as u32 + corner as u32;
                 if surface.twin(h) == NONE {
                     let end = surface.end(h);
                     let line = Symmetric::line(surface.at(end) - surface.at(point), BOUNDARY);
-                    of[point as usize].a += line;
-                    of[end as usize].a += line;
+                    of[point as usize].add(line);
+                    of[end as usize].add(line);
                 }
             }
         }
@@ -68,6 +78,8 @@ impl Accumulated {
 }
 
 impl Cost for Accumulated {
+    const PATIENCE: u32 = 2;
+
     #[inline(always)]
     fn prefetch(&self, point: u32) {
         prefetch(&self.of[point as usize..]);
@@ -79,8 +91,8 @@ impl Cost for Accumulated {
         let (p, q) = (&self.of[start as usize], &self.of[end as usize]);
         let from = surface.at(start);
         let edge = surface.at(end) - from;
-        let sum = p.a + q.a;
-        let right = q.a.times(edge) - p.b - q.b;
+        let sum = p.a() + q.a();
+        let right = q.a().times(edge) - p.b - q.b;
         let (y, cost) = minimum(sum, right, edge, |y| (p.at(y) + q.at(y - edge)).max(0.0));
         Offer { cost: cost + SHAPE * sum.trace() * edge.length_squared(), place: from + y }
     }
@@ -88,6 +100,6 @@ impl Cost for Accumulated {
     fn merged(&mut self, _: &Surface, _: &Ring, merge: &Merge) {
         let [p, q] = [merge.kept, merge.gone].map(|point| self.of[point as usize]);
         let [p, q] = [p.moved(merge.place - merge.from[0]), q.moved(merge.place - merge.from[1])];
-        self.of[merge.kept as usize] = Quadric { a: p.a + q.a, b: p.b + q.b, c: p.c + q.c };
+        self.of[merge.kept as usize] = Quadric { a: (p.a() + q.a()).0, b: p.b + q.b, c: p.c + q.c };
     }
 }

@@ -30,6 +30,9 @@ pub(super) struct Merge {
 
 /// How steps are priced.
 pub(super) trait Cost: Clone {
+    /// How many drawers dearer than thought an edge may be and still not be put back.
+    const PATIENCE: u32 = 0;
+
     /// Asks the memory for what is known of a point.
     fn prefetch(&self, point: u32);
 

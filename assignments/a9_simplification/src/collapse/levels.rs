@@ -43,19 +43,21 @@ pub(crate) trait Level: Clone {
     fn simplified(&self, stopped: Stopped, bound: bool) -> Simplified;
 }
 
-/// How a run is finished.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Finish {
-    /// With a fit to at most so many samples of the original for each point, if there are at
-    /// least half as many.
-    Refit(usize),
-    AsIs,
+/// How a run is finished: by a fit to samples of the original.
+#[derive(Clone, Copy)]
+struct Finish {
+    /// Samples for each point that is left, at most.
+    samples: usize,
+    /// Triangles of the original for each that is left from which on it is done.
+    from: usize,
 }
 
 /// As many samples as were found to lower the error.
-const MANY: usize = 32;
-/// As few as bring most of it.
-const FEW: usize = 8;
+const ALWAYS: Finish = Finish { samples: 32, from: 1 };
+/// As few as bring most of it, where they bring much.
+const QUICKLY: Finish = Finish { samples: 8, from: 5 };
+/// Points stay where the run put them.
+const NEVER: Finish = Finish { samples: 0, from: usize::MAX };
 
 struct Levels<'a, C> {
     prepared: &'a Prepared<'a>,
@@ -90,17 +92,17 @@ impl<'a> Prepared<'a> {
 
     /// A run with memoryless quadrics, fitted to the original.
     pub(crate) fn memoryless(&self) -> impl Level {
-        self.start(Memoryless::new, Finish::Refit(MANY))
+        self.start(Memoryless::new, ALWAYS)
     }
 
     /// A run with accumulated quadrics.
     pub(crate) fn accumulated(&self) -> impl Level {
-        self.start(Accumulated::new, Finish::Refit(FEW))
+        self.start(Accumulated::new, QUICKLY)
     }
 
     /// A run with Melax's cost.
     pub(crate) fn melax(&self) -> impl Level {
-        self.start(|_| Curvature, Finish::AsIs)
+        self.start(|_| Curvature, NEVER)
     }
 
     fn start<C: Cost>(&self, cost: impl Fn(&Surface) -> C, finish: Finish) -> Levels<'_, C> {
@@ -166,10 +168,8 @@ impl<C: Cost> Level for Levels<'_, C> {
         let Prepared { mesh, welded, built, irregular, .. } = self.prepared;
         let mut snapshot = Snapshot::take(&self.run);
         let changed = self.faces() < built.surface.faces.len();
-        if let Finish::Refit(samples) = self.finish
-            && changed
-            && (samples == MANY || built.surface.faces.len() > samples / 2 * self.faces())
-        {
+        let Finish { samples, from } = self.finish;
+        if changed && built.surface.faces.len() / from >= self.faces() {
             let original = Original::new(mesh, welded, built.surface.scale);
             let refit = Refit::new(&original, &snapshot.surface, &snapshot.becomes, samples);
             refit.apply(&mut snapshot.surface, &snapshot.fixed);

@@ -18,11 +18,6 @@ impl<'a> Original<'a> {
         Self { mesh, welded, scale }
     }
 
-    /// How many points there are.
-    pub(super) fn points(&self) -> usize {
-        self.welded.places.len()
-    }
-
     /// Where a point is.
     #[inline(always)]
     pub(super) fn at(&self, point: u32) -> DVec3 {

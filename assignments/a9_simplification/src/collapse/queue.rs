@@ -28,6 +28,12 @@ pub(super) struct Queue {
 }
 
 impl Drawer {
+    /// So many drawers further on.
+    #[inline(always)]
+    pub(super) fn dearer(self, by: u32) -> Self {
+        Self(self.0 + by)
+    }
+
     /// The drawer for a cost; what is not a number goes to the last.
     #[inline(always)]
     pub(super) fn of(cost: f64) -> Self {

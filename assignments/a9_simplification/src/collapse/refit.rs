@@ -24,6 +24,8 @@ const INERTIA: f64 = 0.03;
 const LEAST_RANK: f64 = 1e-3;
 /// Least cosine between a face and itself before, or the original where it is.
 const LEAST_COSINE: f64 = 0.5;
+/// Least share of its area that a face keeps in one move.
+const LEAST_AREA: f64 = 0.1;
 
 /// What pulls at a point.
 #[derive(Clone, Copy, Default)]
@@ -133,7 +135,10 @@ impl<'a> Refit<'a> {
             let [p, q] = [surface.end(h), surface.start(previous(h))].map(|p| surface.at(p));
             let (before, after) = ((p - from).cross(q - from), (p - to).cross(q - to));
             let look = self.looks[(h >> 2) as usize];
-            turns_less(before, after) && (turns_less(after, look) || brings_nearer(before, after, look))
+            let shrinks = after.length_squared() <= LEAST_AREA * LEAST_AREA * before.length_squared();
+            !shrinks
+                && turns_less(before, after)
+                && (turns_less(after, look) || brings_nearer(before, after, look))
         })
     }
 }

@@ -69,7 +69,7 @@ impl<C: Cost> Run<C> {
             }
             let offer = self.cost.price(&self.surface, h);
             let now = Drawer::of(offer.cost);
-            if now > drawer {
+            if now > drawer.dearer(C::PATIENCE) {
                 self.queue.push(h, now);
             } else {
                 self.try_step(h, drawer, &offer);

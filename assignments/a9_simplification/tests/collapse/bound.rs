@@ -41,12 +41,12 @@ fn diagonal(mesh: &Mesh) -> f64 {
 
 #[test]
 fn the_error_bounds_what_is_sampled() {
-    for recipe in ["sphere1000", "terrain1000", "gyroid2000"] {
+    for recipe in ["sphere700", "terrain700", "gyroid1000"] {
         let original = generated(recipe);
         for method in METHODS {
-            for ratio in [0.5, 0.15] {
+            for ratio in [0.4, 0.1] {
                 let Simplified { mesh, error, .. } = one(&original, Goal::Ratio(ratio), method);
-                let found = sampled(&mesh, &original, 4).max(sampled(&original, &mesh, 2));
+                let found = sampled(&mesh, &original, 3).max(sampled(&original, &mesh, 2));
                 let error = error.unwrap();
                 assert!(error >= found * (1.0 - 1e-9), "{recipe} {method:?} {ratio}: {error} < {found}");
             }

@@ -138,19 +138,30 @@ fn measure(
 mod tests {
     use super::*;
 
-    #[test]
-    fn small_meshes_are_measured_and_verified() {
-        let options = Options {
-            meshes: vec!["part1k".to_owned(), "terrain1k".to_owned()],
+    fn options(meshes: &[&str], methods: &[&str]) -> Options {
+        Options {
+            meshes: meshes.iter().map(|m| (*m).to_owned()).collect(),
             mesh: Vec::new(),
             full: false,
             ratios: vec![0.5, 0.1],
-            methods: Vec::new(),
+            methods: methods.iter().map(|m| (*m).to_owned()).collect(),
             rounds: 1,
             samples: 2_000,
             csv: None,
-        };
-        run(&options).unwrap_or_else(|error| panic!("{}", error.report()));
-        assert!(made("part1").is_err() && made("nothing").is_err());
+        }
+    }
+
+    #[test]
+    fn small_meshes_are_measured_and_verified() {
+        let good =
+            [options(&["part1k"], &["qem", "memoryless", "melax"]), options(&["terrain1k"], &["memoryless"])];
+        for options in good {
+            run(&options).unwrap_or_else(|error| panic!("{}", error.report()));
+        }
+        for options in
+            [options(&["part1"], &[]), options(&["nothing"], &[]), options(&["part1k"], &["magic"])]
+        {
+            assert!(matches!(run(&options), Err(AppError::Usage(_))));
+        }
     }
 }

@@ -59,3 +59,31 @@ fn of_bound(bound: Option<f64>, comparison: &Comparison) -> Option<String> {
     let vouched = seen <= bound * (1.0 + 1e-6) + f64::from(f32::EPSILON);
     (!vouched).then(|| format!("vouches for {bound:.3e}, but is off by {seen:.3e}"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simplify::part::part;
+
+    fn faults(run: fn(&Mesh, f64, bool) -> Result<Outcome, AppError>) -> Vec<String> {
+        let mesh = part(1_000);
+        let contender = Contender { name: "somebody", run };
+        judge(&contender, &mesh, &Original::new(&mesh), 0.5, 1_000).unwrap().faults
+    }
+
+    #[test]
+    fn faults_are_found() {
+        let all = |mesh: &Mesh, _, _| Ok(Outcome { mesh: mesh.clone(), stuck: true, bound: Some(0.0) });
+        assert_eq!(faults(all), Vec::<String>::new());
+        let torn = faults(|mesh, _, _| {
+            let mut mesh = mesh.clone();
+            mesh.triangles.truncate(600);
+            mesh.triangles[0].swap(0, 1);
+            Ok(Outcome { mesh, stuck: false, bound: Some(1e-9) })
+        });
+        for fault in ["Euler", "boundary loops", "turned over", "600 faces are more than 344", "vouches for"]
+        {
+            assert!(torn.iter().any(|f| f.contains(fault)), "{fault}: {torn:?}");
+        }
+    }
+}
