@@ -65,3 +65,52 @@ fn on_edge(edge: DVec3, error: impl Fn(DVec3) -> f64) -> (DVec3, f64) {
     let tried = [0.5, 0.0, 1.0].map(|t| (edge * t, error(edge * t)));
     tried.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)).expect("three were tried")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn best(a: Symmetric, b: Symmetric, edge: DVec3) -> (DVec3, f64) {
+        minimum(a + b, b.times(edge), edge, |y| a.square(y) + b.square(y - edge))
+    }
+
+    fn planes(normals: &[DVec3]) -> Symmetric {
+        normals.iter().map(|&n| Symmetric::outer(n, 1.0)).fold(Symmetric::default(), |sum, plane| sum + plane)
+    }
+
+    #[test]
+    fn corners_beat_edges_and_edges_beat_faces_at_any_scale() {
+        let corner = planes(&[DVec3::X, DVec3::Y, DVec3::Z]);
+        let (ridge, flat) = (planes(&[DVec3::Y, DVec3::Z]), planes(&[DVec3::Z]));
+        for scale in [1e-20, 1.0, 1e20] {
+            let along = DVec3::X * scale;
+            let (y, cost) = best(corner, ridge, along);
+            assert!(y.length() < 1e-8 * scale && cost < 1e-15 * scale * scale);
+            let (y, cost) = best(ridge, flat, DVec3::Y * scale);
+            assert!(y.length() < 1e-8 * scale && cost < 1e-15 * scale * scale);
+            // Two flat points: nothing tells, so it is the middle.
+            let (y, cost) = best(flat, flat, along);
+            assert!((y - along * 0.5).length() < 1e-12 * scale && cost == 0.0);
+        }
+    }
+
+    #[test]
+    fn two_unequal_planes_share_the_way_in_proportion() {
+        let (a, b) = (Symmetric::outer(DVec3::X, 3.0), Symmetric::outer(DVec3::X, 1.0));
+        let (y, cost) = best(a, b, DVec3::X);
+        assert!((y - DVec3::X * 0.25).length() < 1e-8);
+        assert!((cost - (3.0 * 0.0625 + 0.5625)).abs() < 1e-8);
+    }
+
+    #[test]
+    fn a_minimum_far_away_is_not_believed() {
+        // Planes that meet at a small angle, far from the edge.
+        let (n, m) = (DVec3::new(0.0, 1e-3, 1.0).normalize(), DVec3::Z);
+        let (a, b) = (planes(&[n, DVec3::X]), planes(&[m, DVec3::X]));
+        let edge = DVec3::new(0.0, 0.0, 1.0);
+        let (y, _) = best(a, b, edge);
+        assert!(y == DVec3::ZERO || y == edge || y == edge * 0.5, "{y}");
+        let nothing = Symmetric::default();
+        assert_eq!(best(nothing, nothing, edge).0, edge * 0.5);
+    }
+}

@@ -169,7 +169,10 @@ impl<C: Cost> Level for Levels<'_, C> {
         let mut snapshot = Snapshot::take(&self.run);
         let changed = self.faces() < built.surface.faces.len();
         let Finish { samples, from } = self.finish;
-        if changed && built.surface.faces.len() / from >= self.faces() {
+        let for_each = built.surface.faces.len() / self.faces().max(1);
+        if changed && for_each >= from {
+            // Where few points are left, samples are cheap, and each has more to tell.
+            let samples = samples.max(for_each / 4);
             let original = Original::new(mesh, welded, built.surface.scale);
             let refit = Refit::new(&original, &snapshot.surface, &snapshot.becomes, samples);
             refit.apply(&mut snapshot.surface, &snapshot.fixed);

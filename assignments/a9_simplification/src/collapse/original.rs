@@ -33,7 +33,7 @@ impl<'a> Original<'a> {
     #[inline(always)]
     pub(super) fn middle(&self, corners: [u32; 3]) -> (DVec3, DVec3) {
         let [a, b, c] = corners.map(|point| self.at(point));
-        ((a + b + c) / 3.0, (b - a).cross(c - a))
+        ((a + b + c) * (1.0 / 3.0), (b - a).cross(c - a))
     }
 
     /// Whether a triangle has three different corners.

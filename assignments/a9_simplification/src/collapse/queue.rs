@@ -100,3 +100,48 @@ impl Queue {
         Some(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cheap_comes_first_and_equal_in_order() {
+        let costs = [3.0, 1e-30, 0.0, 1e30, 3.0, f64::NAN, 0.5, 0.0];
+        let mut queue = Queue::new(costs.len());
+        costs.iter().enumerate().for_each(|(entry, &cost)| queue.push(entry as u32, Drawer::of(cost)));
+        let mut order = Vec::new();
+        while let Some((entry, drawer)) = queue.pop() {
+            assert_eq!(drawer, Drawer::of(costs[entry as usize]));
+            assert!(!queue.contains(entry));
+            order.push(entry);
+        }
+        assert_eq!(order, [2, 7, 1, 6, 0, 4, 3, 5]);
+    }
+
+    #[test]
+    fn what_is_pushed_below_comes_next() {
+        let mut queue = Queue::new(3);
+        queue.push(0, Drawer::of(1.0));
+        queue.push(1, Drawer::of(2.0));
+        assert_eq!(queue.pop().map(|popped| popped.0), Some(0));
+        queue.push(2, Drawer::of(0.25));
+        assert_eq!(queue.pop().map(|popped| popped.0), Some(2));
+        assert_eq!(queue.pop().map(|popped| popped.0), Some(1));
+        assert_eq!(queue.pop(), None);
+    }
+
+    #[test]
+    fn drawers_are_an_eighth_of_an_octave() {
+        let costs = (0..8000).map(|i| 1e-6 * 1.003f64.powi(i));
+        let mut last = (0.0, Drawer::of(0.0));
+        for cost in costs {
+            let drawer = Drawer::of(cost);
+            assert!(drawer >= last.1);
+            if drawer != last.1 {
+                assert!(last.0 == 0.0 || cost / last.0 < 1.13, "{cost}");
+                last = (cost, drawer);
+            }
+        }
+    }
+}

@@ -76,9 +76,10 @@ impl<'a> Refit<'a> {
     pub(super) fn apply(&self, surface: &mut Surface, fixed: &[bool]) {
         // Also not if it is not a number, because there are no samples.
         if self.mean_square > 0.0 {
+            let areas: Vec<f64> = (0..surface.faces.len()).map(|i| surface.normal(i).length()).collect();
             for _ in 0..STEPS {
                 let pulls = self.pulls(surface);
-                self.move_points(surface, fixed, &pulls);
+                self.move_points(surface, fixed, &pulls, &areas);
             }
         }
     }
@@ -108,13 +109,13 @@ impl<'a> Refit<'a> {
         pulls
     }
 
-    fn move_points(&self, surface: &mut Surface, fixed: &[bool], pulls: &[Pull]) {
+    fn move_points(&self, surface: &mut Surface, fixed: &[bool], pulls: &[Pull], areas: &[f64]) {
         for point in 0..surface.points.len() as u32 {
             if fixed[point as usize] || surface.on_boundary(point) {
                 continue;
             }
             let Pull { mut stiffness, force } = pulls[point as usize];
-            let area: f64 = surface.fan(point).map(|h| surface.normal((h >> 2) as usize).length()).sum();
+            let area: f64 = surface.fan(point).map(|h| areas[(h >> 2) as usize]).sum();
             stiffness.add_diagonal(INERTIA * area + LEAST_RANK * stiffness.trace());
             let step = stiffness.solve(force);
             let from = surface.at(point);
