@@ -3,6 +3,7 @@
 use crate::{CastArgs, Layer, Report, Sight};
 use clap::ValueEnum;
 use common::accel::Accel;
+use common::atomic::place;
 use common::camera::{Camera, screen_position};
 use common::cli::{self, AppError, SimdChoice, Skip};
 use common::counters::Counters;
@@ -245,16 +246,6 @@ fn check_outputs(args: &CastArgs, outputs: &[&Path], size: Size) -> Result<(), A
         check_output(path, size)?;
     }
     Ok(())
-}
-
-/// One name for every spelling of a file's name (`a.tga`, `./a.tga`, a link to it), also if only
-/// its folder is there yet.
-fn place(path: &Path) -> PathBuf {
-    let in_folder = || {
-        let folder = path.parent().filter(|folder| *folder != "").unwrap_or(Path::new("."));
-        Some(folder.canonicalize().ok()?.join(path.file_name()?))
-    };
-    path.canonicalize().ok().or_else(in_folder).unwrap_or_else(|| path.to_owned())
 }
 
 /// Textures are drawn from assignment 6 on; a wrong picture would be worse than none.

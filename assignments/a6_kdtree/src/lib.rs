@@ -83,17 +83,31 @@ impl Step for Plain {
 pub fn perform(args: &AccelArgs, step: &dyn Step) -> Result<(), AppError> {
     let args = &args.with_outputs();
     args.check()?;
-    let (mut studio, mut report) = Studio::open_textured(args.cast(), &args.grid.outputs())?;
+    let (mut studio, report) = Studio::open_textured(args.cast(), &args.grid.outputs())?;
     step.adjust(&mut studio)?;
+    draw_by(step, args, &studio, report)
+}
+
+/// What is left of [`run`] when the scene is open: renders what was asked for, writes it. `args`
+/// are those of [`AccelArgs::with_outputs`].
+///
+/// # Errors
+/// An unreadable texture, a grid that is too large, an unwritable picture.
+pub fn draw(args: &AccelArgs, studio: &Studio, report: Report) -> Result<(), AppError> {
+    draw_by(&Plain, args, studio, report)
+}
+
+/// The same with the scene's own pictures drawn by `step`.
+fn draw_by(step: &dyn Step, args: &AccelArgs, studio: &Studio, mut report: Report) -> Result<(), AppError> {
     let load = || TexturedScene::load(&studio.scene, &studio.geometry, &args.cast().input);
     let scene = report.time("textures", load)?;
     report.notes.extend(scene.describe());
-    args.grid.whitted.phong.draw_preview(&studio, &scene, &mut report)?;
-    let cells = args.grid.cells(&studio)?;
+    args.grid.whitted.phong.draw_preview(studio, &scene, &mut report)?;
+    let cells = args.grid.cells(studio)?;
     if args.grid.shows_cells() {
         report.cells = cells.as_ref().map(|c| c.count.map(|n| n as u32));
         let heat = args.heat_picture().into_iter().collect();
-        return a5_grid::picture_of_cells(&args.grid, &studio, cells, heat, report);
+        return a5_grid::picture_of_cells(&args.grid, studio, cells, heat, report);
     }
     let tracer = report.time("build", || {
         let tracer = args.structure(&studio.geometry, cells)?;
@@ -103,8 +117,8 @@ pub fn perform(args: &AccelArgs, step: &dyn Step) -> Result<(), AppError> {
         Ok::<_, AppError>(tracer)
     })?;
     match tracer.kd_tree().filter(|_| args.visualize_kdtree) {
-        Some(tree) => draw_boxes(args, &studio, tree, &mut report)?,
-        None => draw_scene(args, &studio, &scene, &tracer, step, &mut report)?,
+        Some(tree) => draw_boxes(args, studio, tree, &mut report)?,
+        None => draw_scene(args, studio, &scene, &tracer, step, &mut report)?,
     }
     report.cells = tracer.cells();
     report.notes.extend(tracer.figures(&report.counters));

@@ -1,11 +1,13 @@
 //! Triangle meshes in their own space, and reading them.
 
 mod area;
+mod error;
 mod normals;
 mod obj;
 
 pub use area::has_area;
-pub use obj::{MeshError, parse_obj, read_obj};
+pub use error::{MeshError, read_bytes};
+pub use obj::{parse_obj, read_obj};
 
 use crate::math::{Vec2, Vec3};
 
@@ -25,11 +27,19 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Drops the triangles without area (see [`has_area`]) and counts them in `degenerate`.
-    fn drop_degenerate(&mut self) {
+    /// The mesh without its triangles of no area (see [`has_area`]), counted in `degenerate`.
+    ///
+    /// # Errors
+    /// If no triangle is left.
+    pub fn without_degenerate(mut self) -> Result<Self, MeshError> {
         let before = self.triangles.len();
         let positions = &self.positions;
         self.triangles.retain(|corners| has_area(corners.map(|i| positions[i as usize])));
         self.degenerate += before - self.triangles.len();
+        match (self.triangles.len(), self.degenerate) {
+            (0, 0) => Err(MeshError::new("this file has no triangles")),
+            (0, n) => Err(MeshError::new(format!("this file has no triangles: all {n} faces have no area"))),
+            _ => Ok(self),
+        }
     }
 }

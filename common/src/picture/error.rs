@@ -1,6 +1,7 @@
 //! What can go wrong with picture files.
 
 use super::{Kind, Size, SizeError};
+use crate::atomic::Unwritable;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -17,28 +18,9 @@ pub enum PictureError {
         /// What was probably meant, or nothing.
         hint: String,
     },
-    /// The folder to write into is missing.
-    #[error("cannot write '{}': there is no folder '{}'", path.display(), folder.display())]
-    NoFolder {
-        /// The picture to be written.
-        path: PathBuf,
-        /// The missing folder.
-        folder: PathBuf,
-    },
-    /// The output is a folder.
-    #[error("cannot write '{}': it is a folder", .0.display())]
-    IsFolder(PathBuf),
-    /// The output exists and is protected.
-    #[error("cannot write '{}': the file is read-only", .0.display())]
-    ReadOnly(PathBuf),
-    /// The system refused to write.
-    #[error("cannot write '{}'", path.display())]
-    Write {
-        /// The picture to be written.
-        path: PathBuf,
-        /// The system's reason.
-        source: io::Error,
-    },
+    /// Nothing can be written there.
+    #[error(transparent)]
+    Unwritable(#[from] Unwritable),
     /// The format cannot hold a picture of this size.
     #[error("a picture of {size} pixels does not fit a .{suffix} file, whose sides end at {longest}")]
     SideTooLong {

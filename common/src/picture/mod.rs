@@ -4,7 +4,6 @@
 //! (the course writes values as they are) and by the one rule in [`quantise`]. Files are checked
 //! with [`check_output`] before any work is done, and written whole or not at all by [`write()`].
 
-mod atomic;
 mod codec;
 mod compare;
 mod error;

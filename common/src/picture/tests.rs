@@ -1,6 +1,7 @@
 //! Picture files: bytes, round trips, and what happens when writing fails.
 
 use super::*;
+use crate::atomic::Unwritable;
 use crate::math::Vec3;
 use proptest::prelude::*;
 use std::fs;
@@ -192,17 +193,17 @@ fn outputs_are_checked_without_touching_them() {
     check_output(Path::new("bare_name.tga"), size(1, 1)).unwrap();
 
     let missing = check_output(&folder.path("missing/a.tga"), size(1, 1));
-    assert!(matches!(missing, Err(PictureError::NoFolder { .. })));
+    assert!(matches!(missing, Err(PictureError::Unwritable(Unwritable::NoFolder { .. }))));
     fs::create_dir(folder.path("dir.tga")).unwrap();
     let is_folder = check_output(&folder.path("dir.tga"), size(1, 1));
-    assert!(matches!(is_folder, Err(PictureError::IsFolder(_))));
+    assert!(matches!(is_folder, Err(PictureError::Unwritable(Unwritable::IsFolder(_)))));
     let is_folder = check_output(folder.0.path(), size(1, 1));
-    assert!(matches!(is_folder, Err(PictureError::IsFolder(_))));
+    assert!(matches!(is_folder, Err(PictureError::Unwritable(Unwritable::IsFolder(_)))));
     let mut locked = fs::metadata(folder.path("old.png")).unwrap().permissions();
     locked.set_readonly(true);
     fs::set_permissions(folder.path("old.png"), locked).unwrap();
     let read_only = check_output(&folder.path("old.png"), size(1, 1));
-    assert!(matches!(read_only, Err(PictureError::ReadOnly(_))));
+    assert!(matches!(read_only, Err(PictureError::Unwritable(Unwritable::ReadOnly(_)))));
 }
 
 #[test]
@@ -279,7 +280,7 @@ mod on_unix {
         let full = Path::new("/dev/full");
         if full.exists() {
             let error = write(full, &corners(), Transfer::Linear).unwrap_err();
-            assert!(matches!(error, PictureError::Write { .. }), "{error}");
+            assert!(matches!(error, PictureError::Unwritable(Unwritable::Refused { .. })), "{error}");
         }
     }
 }

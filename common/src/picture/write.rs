@@ -1,8 +1,7 @@
 //! Writing pictures.
 
-use super::atomic::{self, Target};
 use super::{Film, Kind, PictureError, Size, Transfer, codec};
-use std::fs;
+use crate::atomic::{self, Target, Unwritable};
 use std::path::Path;
 
 /// Makes sure, before anything is rendered, that a picture of this size can be written to `path`:
@@ -16,11 +15,7 @@ use std::path::Path;
 pub fn check_output(path: &Path, size: Size) -> Result<(), PictureError> {
     let target = target(path)?;
     output_kind(path, &target)?.check_size(size)?;
-    match target {
-        Target::Folder => Err(PictureError::IsFolder(path.to_owned())),
-        Target::Stream => Ok(()),
-        Target::File(real) => check_file(path, &real),
-    }
+    Ok(atomic::check(path)?)
 }
 
 /// Writes a picture whose kind is told by the suffix of `path`; see [`check_output`]. An existing
@@ -33,34 +28,17 @@ pub fn write(path: &Path, film: &Film, transfer: Transfer) -> Result<(), Picture
     kind.check_size(film.size())?;
     let bytes = codec::encode(kind, film, transfer)
         .map_err(|source| PictureError::Encode { path: path.to_owned(), source })?;
-    atomic::replace(path, &bytes).map_err(|source| cannot_write(path, source))
+    Ok(atomic::replace(path, &bytes).map_err(|source| Unwritable::refused(path, source))?)
 }
 
 fn target(path: &Path) -> Result<Target, PictureError> {
-    atomic::target(path).map_err(|source| cannot_write(path, source))
+    Ok(atomic::target(path).map_err(|source| Unwritable::refused(path, source))?)
 }
 
 fn output_kind(path: &Path, target: &Target) -> Result<Kind, PictureError> {
     match Kind::of_path(path) {
         Err(_) if *target == Target::Stream => Ok(Kind::Tga),
-        Err(_) if *target == Target::Folder => Err(PictureError::IsFolder(path.to_owned())),
+        Err(_) if *target == Target::Folder => Err(Unwritable::IsFolder(path.to_owned()).into()),
         kind => kind,
     }
-}
-
-/// `path` is as the user wrote it, `real` with symbolic links resolved.
-fn check_file(path: &Path, real: &Path) -> Result<(), PictureError> {
-    let folder = atomic::folder_of(real);
-    if !folder.is_dir() {
-        return Err(PictureError::NoFolder { path: path.to_owned(), folder: folder.to_owned() });
-    }
-    if fs::metadata(real).is_ok_and(|meta| meta.permissions().readonly()) {
-        return Err(PictureError::ReadOnly(path.to_owned()));
-    }
-    // Trying is the only test that knows about owners, quotas and read-only media.
-    atomic::temporary_in(folder).map(drop).map_err(|source| cannot_write(path, source))
-}
-
-fn cannot_write(path: &Path, source: std::io::Error) -> PictureError {
-    PictureError::Write { path: path.to_owned(), source }
 }

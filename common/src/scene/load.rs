@@ -29,6 +29,13 @@ pub trait MeshSource {
     }
 }
 
+/// Every name stands for this mesh.
+impl MeshSource for Arc<Mesh> {
+    fn mesh(&mut self, _: &str) -> Result<Arc<Mesh>, MeshError> {
+        Ok(Arc::clone(self))
+    }
+}
+
 /// Reads a scene file with its meshes; see [`parse_str`].
 ///
 /// Names of meshes and pictures are looked up relative to the scene file's folder first, then

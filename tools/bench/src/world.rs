@@ -3,8 +3,8 @@
 use common::cli::AppError;
 use common::geometry::Geometry;
 use common::math::{Bounds, DVec3, Vec3};
-use common::mesh::{Mesh, MeshError, read_obj};
-use common::scene::{MeshSource, Scene, parse_str};
+use common::mesh::{Mesh, read_obj};
+use common::scene::{Scene, parse_str};
 use modeller::generated::{Generated, Recipe};
 use std::path::Path;
 use std::sync::Arc;
@@ -22,21 +22,12 @@ pub struct World {
     pub geometry: Geometry,
 }
 
-/// Every name stands for the same mesh.
-struct InMemory(Arc<Mesh>);
-
-impl MeshSource for InMemory {
-    fn mesh(&mut self, _: &str) -> Result<Arc<Mesh>, MeshError> {
-        Ok(Arc::clone(&self.0))
-    }
-}
-
 /// A scene whose text names one mesh, which is not in a file.
 ///
 /// # Errors
 /// If the text is no scene.
 pub fn scene_with(text: &str, mesh: &Arc<Mesh>) -> Result<Scene, AppError> {
-    Ok(parse_str("bench", text, &mut InMemory(Arc::clone(mesh)))?)
+    Ok(parse_str("bench", text, &mut Arc::clone(mesh))?)
 }
 
 impl World {
@@ -56,17 +47,12 @@ impl World {
         Ok(Self { name: name.to_owned(), mesh, geometry })
     }
 
-    /// The mesh of a name: `bunny`, a recipe such as `sphere200k`, or an OBJ file.
+    /// The mesh of a name; see [`mesh_named`].
     ///
     /// # Errors
     /// If there is none of that name.
     pub fn named(name: &str) -> Result<Self, AppError> {
-        let file = if name == "bunny" { BUNNY } else { name };
-        if Path::new(file).extension().is_some_and(|e| e == "obj") {
-            return Self::new(name, read_obj(Path::new(file))?);
-        }
-        let recipe: Recipe = name.parse().map_err(AppError::Usage)?;
-        Self::new(name, plain(recipe.make()))
+        Self::new(name, mesh_named(name)?)
     }
 
     /// Corners of a triangle.
@@ -98,6 +84,19 @@ impl World {
         let b = self.bounds();
         (b.max.as_dvec3() + b.min.as_dvec3()) / 2.0
     }
+}
+
+/// The mesh of a name: `bunny`, a recipe such as `sphere200k`, or an OBJ file.
+///
+/// # Errors
+/// If there is none of that name.
+pub fn mesh_named(name: &str) -> Result<Mesh, AppError> {
+    let file = if name == "bunny" { BUNNY } else { name };
+    if Path::new(file).extension().is_some_and(|e| e == "obj") {
+        return Ok(read_obj(Path::new(file))?);
+    }
+    let recipe: Recipe = name.parse().map_err(AppError::Usage)?;
+    Ok(plain(recipe.make()))
 }
 
 /// A generated mesh in the house's form.

@@ -4,8 +4,7 @@
 //! of statement that matter, already checked, without comments and continued lines, which it
 //! does not know; so its own errors, which have no line, do not come up.
 
-use super::super::Mesh;
-use super::MeshError;
+use super::super::{Mesh, MeshError};
 use super::tokens::Tokens;
 use crate::math::{Vec2, Vec3};
 

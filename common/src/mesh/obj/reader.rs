@@ -1,7 +1,6 @@
 //! The one pass over an OBJ file that reads vertices and faces and checks everything.
 
-use super::super::Mesh;
-use super::MeshError;
+use super::super::{Mesh, MeshError};
 use super::tokens::{Tokens, integer, quoted};
 use crate::math::Vec3;
 

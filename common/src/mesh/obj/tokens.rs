@@ -3,7 +3,7 @@
 //! A statement ends with its line, unless a backslash at the end continues it. `#` begins a
 //! comment. Lines end with LF, CR LF or CR.
 
-use super::MeshError;
+use super::super::MeshError;
 use super::decimal::fast_f32;
 
 /// A place in an OBJ file.

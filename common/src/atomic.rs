@@ -1,4 +1,4 @@
-//! Writing a file whole or not at all.
+//! Writing a file whole or not at all: the door to tempfile.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -14,6 +14,66 @@ pub enum Target {
     Stream,
     /// A folder.
     Folder,
+}
+
+/// Why nothing can be written to a path. Each text names the path as it was given.
+#[derive(Debug, thiserror::Error)]
+pub enum Unwritable {
+    /// The folder to write into is missing.
+    #[error("cannot write '{}': there is no folder '{}'", path.display(), folder.display())]
+    NoFolder {
+        /// The file to be written.
+        path: PathBuf,
+        /// The missing folder.
+        folder: PathBuf,
+    },
+    /// The output is a folder.
+    #[error("cannot write '{}': it is a folder", .0.display())]
+    IsFolder(PathBuf),
+    /// The output exists and is protected.
+    #[error("cannot write '{}': the file is read-only", .0.display())]
+    ReadOnly(PathBuf),
+    /// The system refused.
+    #[error("cannot write '{}'", path.display())]
+    Refused {
+        /// The file to be written.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+}
+
+impl Unwritable {
+    /// The system's refusal to write to `path`.
+    pub fn refused(path: &Path, source: io::Error) -> Self {
+        Self::Refused { path: path.to_owned(), source }
+    }
+}
+
+/// Makes sure that a file can be written to `path`: the folder is there and can be written to,
+/// and no old file is protected. The file itself is not touched.
+///
+/// # Errors
+/// [`Unwritable`].
+pub fn check(path: &Path) -> Result<(), Unwritable> {
+    match target(path).map_err(|source| Unwritable::refused(path, source))? {
+        Target::Folder => Err(Unwritable::IsFolder(path.to_owned())),
+        Target::Stream => Ok(()),
+        Target::File(real) => check_file(path, &real),
+    }
+}
+
+/// `path` is as the user wrote it, `real` with symbolic links resolved.
+fn check_file(path: &Path, real: &Path) -> Result<(), Unwritable> {
+    let folder = folder_of(real);
+    if !folder.is_dir() {
+        return Err(Unwritable::NoFolder { path: path.to_owned(), folder: folder.to_owned() });
+    }
+    if fs::metadata(real).is_ok_and(|meta| meta.permissions().readonly()) {
+        return Err(Unwritable::ReadOnly(path.to_owned()));
+    }
+    // Trying is the only test that knows about owners, quotas and read-only media.
+    temporary_in(folder).map(drop).map_err(|source| Unwritable::refused(path, source))
 }
 
 /// Finds out what `path` leads to.
@@ -50,11 +110,18 @@ fn follow_dangling(path: &Path) -> io::Result<PathBuf> {
 }
 
 /// The folder that holds `path`; `.` for a bare name.
-pub fn folder_of(path: &Path) -> &Path {
+fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     }
+}
+
+/// One name for every spelling of a file's name (`a.tga`, `./a.tga`, a link to it), also if only
+/// its folder is there yet.
+pub fn place(path: &Path) -> PathBuf {
+    let in_folder = || Some(folder_of(path).canonicalize().ok()?.join(path.file_name()?));
+    path.canonicalize().ok().or_else(in_folder).unwrap_or_else(|| path.to_owned())
 }
 
 /// Writes `bytes` under a temporary name beside `path` and renames it, so that a failure leaves
@@ -83,7 +150,7 @@ pub fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
 ///
 /// # Errors
 /// If no file can be made there.
-pub fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
+fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".raysteps-").suffix(".part");
     // Temporary files are private by default; a picture should get what the umask allows.

@@ -1,0 +1,105 @@
+//! Quadrics that are summed up as points merge (Garland & Heckbert 1997, "Surface simplification
+//! using quadric error metrics").
+//!
+//! Each is kept about the point that it belongs to, not about the origin: numbers stay small where
+//! distances are, and nothing cancels far from the origin.
+
+use crate::collapse::cost::{Cost, Merge, Offer, minimum};
+use crate::collapse::quadric::Symmetric;
+use crate::collapse::ring::Ring;
+use crate::collapse::surface::{NONE, Surface};
+use common::math::DVec3;
+use common::simd::prefetch;
+
+/// How much the edge of a boundary counts, in terms of triangles of about its size.
+const BOUNDARY: f64 = 20.0;
+/// How much the squared length of the edge counts, so that on flat parts short edges come first.
+const SHAPE: f64 = 1e-5;
+
+/// yᵀ·A·y + 2·b·y + c for y relative to the point. Entries of A are as in [`Symmetric`], without
+/// its alignment, which would make half as much again of it.
+#[derive(Clone, Copy, Default)]
+struct Quadric {
+    a: [f64; 6],
+    b: DVec3,
+    c: f64,
+}
+
+/// For every point the sum over all triangles that went into it of area times the squared
+/// distance to the plane.
+#[derive(Clone)]
+pub(super) struct Accumulated {
+    of: Vec<Quadric>,
+}
+
+impl Quadric {
+    #[inline(always)]
+    fn a(&self) -> Symmetric {
+        Symmetric(self.a)
+    }
+
+    fn add(&mut self, plane_or_line: Symmetric) {
+        self.a = (self.a() + plane_or_line).0;
+    }
+
+    #[inline(always)]
+    fn at(&self, y: DVec3) -> f64 {
+        // Not below zero but for rounding.
+        y.dot(self.a().times(y) + self.b * 2.0) + self.c
+    }
+
+    /// The same about a point that is `step` away.
+    fn moved(&self, step: DVec3) -> Self {
+        Self { a: self.a, b: self.b + self.a().times(step), c: self.at(step).max(0.0) }
+    }
+}
+
+impl Accumulated {
+    /// Of all points of a surface.
+    pub(super) fn new(surface: &Surface) -> Self {
+        let mut of = vec![Quadric::default(); surface.points.len()];
+        for (i, face) in surface.faces.iter().enumerate() {
+            let normal = surface.normal(i);
+            let length = normal.length();
+            let plane = Symmetric::outer(normal, if length > 0.0 { 1.0 / length } else { 0.0 });
+            for (corner, point) in face.corners().into_iter().enumerate() {
+                of[point as usize].add(plane);
+                let h = 4 * i as u32 + corner as u32;
+                if surface.twin(h) == NONE {
+                    let end = surface.end(h);
+                    let line = Symmetric::line(surface.at(end) - surface.at(point), BOUNDARY);
+                    of[point as usize].add(line);
+                    of[end as usize].add(line);
+                }
+            }
+        }
+        Self { of }
+    }
+}
+
+impl Cost for Accumulated {
+    const PATIENCE: u32 = 2;
+
+    #[inline(always)]
+    fn prefetch(&self, point: u32) {
+        prefetch(&self.of[point as usize..]);
+    }
+
+    #[inline(always)]
+    fn price(&self, surface: &Surface, h: u32) -> Offer {
+        let (start, end) = (surface.start(h), surface.end(h));
+        let (p, q) = (&self.of[start as usize], &self.of[end as usize]);
+        let from = surface.at(start);
+        let edge = surface.at(end) - from;
+        let sum = p.a() + q.a();
+        let right = q.a().times(edge) - p.b - q.b;
+        let (y, cost) = minimum(sum, right, edge, |y| (p.at(y) + q.at(y - edge)).max(0.0));
+        Offer { cost: cost + SHAPE * sum.trace() * edge.length_squared(), place: from + y }
+    }
+
+    fn merged(&mut self, _: &Surface, _: &Ring, merge: &Merge) {
+        let [p, q] = [merge.kept, merge.gone].map(|point| self.of[point as usize]);
+        let [p, q] = [p.moved(merge.place - merge.from[0]), q.moved(merge.place - merge.from[1])];
+        self.of[merge.kept as usize] = Quadric { a: (p.a() + q.a()).0, b: p.b + q.b, c: p.c + q.c };
+    }
+}

@@ -1,0 +1,242 @@
+//! A bound of how far a surface is from another, anywhere on it.
+//!
+//! The distance to a triangle is a convex function, so that over a polygon it is largest at a
+//! corner. Each triangle of the one is cut into polygons along the edges of the other, by planes
+//! that halve the angles between its faces; each polygon is then held against the face
+//! that it lies over. Whichever face that is, its distance is a bound of that to the surface: how
+//! well polygons and faces are matched decides how close the bound is, not whether it holds.
+
+use crate::collapse::cells::Cells;
+use crate::collapse::locate::{locate, nearest};
+use crate::collapse::surface::{NONE, Surface};
+use common::math::DVec3;
+
+/// How much larger than the largest distance that was found the bound may be.
+const SLACK: f64 = 1.05;
+/// Distances below the rounding of single precision, in units of the box, are as good as this.
+const LEAST: f64 = 1.0 / (1u64 << 23) as f64;
+/// Through how many faces a polygon is passed on.
+const LONGEST_WAY: u32 = 256;
+/// How many corners a polygon may have.
+const CORNERS: usize = 12;
+/// Into how many polygons a triangle is cut at most, for each triangle of the other surface.
+const MOST_POLYGONS: usize = 256;
+
+/// A convex polygon.
+#[derive(Clone, Copy)]
+struct Polygon {
+    corners: [DVec3; CORNERS],
+    count: usize,
+}
+
+/// A polygon and the other surface's face to hold it against.
+struct Task {
+    polygon: Polygon,
+    face: u32,
+    /// The edge over which it came there.
+    entry: u32,
+    /// How many faces it came through; [`NONE`] once its way was lost, as happens far from the
+    /// surface.
+    way: u32,
+}
+
+/// Bound of the distance from any point of `from` to `to`, both in the same unit. For every point
+/// of `from`, `near` tells a point of `to` that should be close.
+pub(super) fn deviation(from: &Surface, to: &Surface, near: &[u32]) -> f64 {
+    let mut bound = LEAST;
+    let mut starts = Vec::with_capacity(from.faces.len());
+    for face in &from.faces {
+        let corners = face.corners();
+        let [a, b, c] = corners.map(|p| from.at(p));
+        let (square, landing) = locate(to, near[corners[0] as usize], (a + b + c) / 3.0);
+        starts.push((square, landing.face));
+    }
+    let cells = Cells::new(to);
+    let find = |p: DVec3| cells.nearest(p);
+    // A large distance is there to be found early, so that the others need not be looked at.
+    let largest = from.faces.iter().zip(&starts).max_by(|x, y| x.1.0.total_cmp(&y.1.0));
+    if let Some((face, _)) = largest {
+        let [a, b, c] = face.corners().map(|p| from.at(p));
+        bound = bound.max(find((a + b + c) / 3.0).0.sqrt());
+    }
+    let most = MOST_POLYGONS * (1 + to.faces.len() / from.faces.len().max(1));
+    let mut tasks = Vec::new();
+    for (face, &(_, start)) in from.faces.iter().zip(&starts) {
+        let polygon = Polygon::triangle(face.corners().map(|p| from.at(p)));
+        tasks.push(Task { polygon, face: start, entry: NONE, way: 0 });
+        let mut left = most;
+        while let Some(task) = tasks.pop() {
+            left = left.saturating_sub(1);
+            bound = bound.max(task.hold(to, &find, bound * SLACK, left > 0, &mut tasks));
+        }
+    }
+    bound * SLACK
+}
+
+/// For every simplified point the nearest of those points of the original that became it.
+pub(super) fn closest(original: &Surface, simplified: &Surface, becomes: &[u32]) -> Vec<u32> {
+    let mut near = vec![(f64::MAX, 0); simplified.points.len()];
+    for (point, &became) in becomes.iter().enumerate().filter(|(_, became)| **became != NONE) {
+        let square = (original.at(point as u32) - simplified.at(became)).length_squared();
+        let best = &mut near[became as usize];
+        if square < best.0 {
+            *best = (square, point as u32);
+        }
+    }
+    near.into_iter().map(|(_, point)| point).collect()
+}
+
+impl Task {
+    /// The distance of what lies over the face. The rest goes to the face's neighbours, unless all
+    /// of it is nearer than `enough` or it may not be cut any more. `find` tells the nearest place.
+    fn hold(
+        &self,
+        to: &Surface,
+        find: &impl Fn(DVec3) -> (f64, u32),
+        enough: f64,
+        cut: bool,
+        tasks: &mut Vec<Self>,
+    ) -> f64 {
+        let [a, b, c] = to.faces[self.face as usize].corners().map(|p| to.at(p));
+        let whole = self.polygon.distance(a, b, c);
+        if whole <= enough {
+            return 0.0;
+        }
+        if !cut {
+            return whole.min(self.polygon.about_middle(find));
+        }
+        if self.way > LONGEST_WAY {
+            return self.settle(to, find, self.polygon, enough, tasks);
+        }
+        let mut inside = self.polygon;
+        for (corner, (start, end)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
+            let h = 4 * self.face + corner as u32;
+            let twin = to.twin(h);
+            if h == self.entry || twin == NONE {
+                continue;
+            }
+            // The plane through the edge and between the two faces; its normal looks away.
+            let normals = [h, twin].map(|h| to.normal((h >> 2) as usize).normalize_or_zero());
+            let away = (end - start).cross(normals[0] + normals[1]);
+            let outside = inside.clip(|p| (p - start).dot(away));
+            if let Some(polygon) = outside {
+                tasks.push(Self { polygon, face: twin >> 2, entry: twin, way: self.way + 1 });
+            }
+            if inside.count == 0 {
+                return 0.0;
+            }
+        }
+        self.settle(to, find, inside, enough, tasks)
+    }
+
+    /// The distance of a polygon that lies over the face, if that is about what there is to find;
+    /// else the polygon is held against a nearer face, or its halves are.
+    fn settle(
+        &self,
+        to: &Surface,
+        find: &impl Fn(DVec3) -> (f64, u32),
+        polygon: Polygon,
+        enough: f64,
+        tasks: &mut Vec<Self>,
+    ) -> f64 {
+        let [a, b, c] = to.faces[self.face as usize].corners().map(|p| to.at(p));
+        let distance = polygon.distance(a, b, c).min(polygon.about_middle(find));
+        if distance <= enough {
+            return 0.0;
+        }
+        let worst = polygon.corners().map(|p| find(p).0).fold(0.0, f64::max).sqrt();
+        if distance <= worst * SLACK {
+            return distance;
+        }
+        let nearer = find(polygon.middle()).1;
+        let lost = |polygon| Self { polygon, face: nearer, entry: NONE, way: NONE };
+        if nearer != self.face {
+            tasks.push(lost(polygon));
+        } else {
+            tasks.extend(polygon.halves().map(lost));
+        }
+        0.0
+    }
+}
+
+impl Polygon {
+    fn triangle([a, b, c]: [DVec3; 3]) -> Self {
+        let mut corners = [DVec3::ZERO; CORNERS];
+        corners[..3].copy_from_slice(&[a, b, c]);
+        Self { corners, count: 3 }
+    }
+
+    fn corners(&self) -> impl Iterator<Item = DVec3> {
+        self.corners[..self.count].iter().copied()
+    }
+
+    fn middle(&self) -> DVec3 {
+        self.corners().sum::<DVec3>() / self.count as f64
+    }
+
+    /// Distance of its middle and how far it reaches from there.
+    fn about_middle(&self, find: impl Fn(DVec3) -> (f64, u32)) -> f64 {
+        let middle = self.middle();
+        let reach = self.corners().map(|p| (p - middle).length_squared()).fold(0.0, f64::max).sqrt();
+        find(middle).0.sqrt() + reach
+    }
+
+    /// Cut across its longest side.
+    fn halves(self) -> [Self; 2] {
+        let sides = (0..self.count).map(|i| (self.corners[i], self.corners[(i + 1) % self.count]));
+        let longest =
+            sides.max_by(|s, t| (s.1 - s.0).length_squared().total_cmp(&(t.1 - t.0).length_squared()));
+        let (p, q) = longest.expect("a polygon has sides");
+        let (middle, along) = ((p + q) / 2.0, q - p);
+        let mut kept = self;
+        let rest = kept.clip(|x| (x - middle).dot(along));
+        [kept, rest.unwrap_or(kept)]
+    }
+
+    /// Largest distance to a triangle.
+    fn distance(&self, a: DVec3, b: DVec3, c: DVec3) -> f64 {
+        let squares = self.corners().map(|p| {
+            let [u, v, w] = nearest(p, a, b, c);
+            (a * u + b * v + c * w - p).length_squared()
+        });
+        squares.fold(0.0, f64::max).sqrt()
+    }
+
+    fn push(&mut self, p: DVec3) {
+        self.corners[self.count] = p;
+        self.count += 1;
+    }
+
+    /// Keeps what is not above zero, and returns the rest if there is any. A polygon with too many
+    /// corners is not cut.
+    fn clip(&mut self, height: impl Fn(DVec3) -> f64) -> Option<Self> {
+        let whole = *self;
+        let heights: [f64; CORNERS] =
+            std::array::from_fn(|i| if i < whole.count { height(whole.corners[i]) } else { 0.0 });
+        let above = heights[..whole.count].iter().filter(|&&h| h > 0.0).count();
+        if above == 0 || whole.count + 2 > CORNERS {
+            return None;
+        }
+        if above == whole.count {
+            self.count = 0;
+            return Some(whole);
+        }
+        let (mut kept, mut rest) = (Self { count: 0, ..whole }, Self { count: 0, ..whole });
+        for i in 0..whole.count {
+            let j = (i + 1) % whole.count;
+            let (p, q) = (whole.corners[i], whole.corners[j]);
+            if heights[i] > 0.0 {
+                rest.push(p)
+            } else {
+                kept.push(p)
+            }
+            if (heights[i] > 0.0) != (heights[j] > 0.0) {
+                let crossing = p + (q - p) * (heights[i] / (heights[i] - heights[j]));
+                kept.push(crossing);
+                rest.push(crossing);
+            }
+        }
+        *self = kept;
+        Some(rest)
+    }
+}

@@ -1,0 +1,28 @@
+//! Edge collapse: what [`simplify`](crate::simplify()) is made of.
+//!
+//! ```text
+//! weld → build → run (cost, queue, ring, merge, wedges) → snapshot → refit → deviation → mesh
+//! ```
+
+mod accumulated;
+mod build;
+mod cells;
+mod cost;
+mod deviation;
+mod levels;
+mod locate;
+mod melax;
+mod memoryless;
+mod merge;
+mod original;
+mod quadric;
+mod queue;
+mod refit;
+mod ring;
+mod run;
+mod snapshot;
+mod surface;
+mod wedges;
+mod weld;
+
+pub(crate) use levels::{Level, Prepared};

@@ -1,0 +1,147 @@
+//! A queue whose turn comes by cost, cheap and nearly exact.
+//!
+//! Costs are put into drawers of one eighth of an octave. The cheapest drawer is emptied from front
+//! to back; whatever is put into it or below it meanwhile has to wait for its end. Nothing is sorted,
+//! pushing and popping take a few instructions, neighbours that cost the same come in the order of
+//! their numbers, which are often neighbours in memory, and one can look ahead.
+
+/// Bits of the mantissa that count.
+const FINENESS: u32 = 3;
+/// How many drawers there are for positive, finite `f32`.
+const DRAWERS: usize = 255 << FINENESS;
+
+/// A drawer of costs; less is cheaper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Drawer(u32);
+
+/// Entries are numbers below a limit, each at most once in the queue.
+#[derive(Clone)]
+pub(super) struct Queue {
+    drawers: Vec<Vec<u32>>,
+    queued: Vec<bool>,
+    /// The drawer that is being emptied, its entries, and how many of them are out.
+    open: Drawer,
+    entries: Vec<u32>,
+    out: usize,
+    /// All drawers before this are empty, but for the open one.
+    lowest: usize,
+}
+
+impl Drawer {
+    /// So many drawers further on.
+    #[inline(always)]
+    pub(super) fn dearer(self, by: u32) -> Self {
+        Self(self.0 + by)
+    }
+
+    /// The drawer for a cost; what is not a number goes to the last.
+    #[inline(always)]
+    pub(super) fn of(cost: f64) -> Self {
+        // The last octave holds infinities and NaN.
+        let bits = (cost.max(0.0) as f32).to_bits() >> (23 - FINENESS);
+        Self(if cost.is_nan() { DRAWERS as u32 - 1 } else { bits.min(DRAWERS as u32 - 1) })
+    }
+}
+
+impl Queue {
+    /// An empty queue for entries below `limit`.
+    pub(super) fn new(limit: usize) -> Self {
+        Self {
+            drawers: vec![Vec::new(); DRAWERS],
+            queued: vec![false; limit],
+            open: Drawer(0),
+            entries: Vec::new(),
+            out: 0,
+            lowest: DRAWERS,
+        }
+    }
+
+    /// Whether an entry is queued.
+    #[inline(always)]
+    pub(super) fn contains(&self, entry: u32) -> bool {
+        self.queued[entry as usize]
+    }
+
+    /// Puts an entry that is not queued at the end of a drawer.
+    #[inline(always)]
+    pub(super) fn push(&mut self, entry: u32, drawer: Drawer) {
+        let drawer = drawer.0 as usize;
+        self.queued[entry as usize] = true;
+        self.drawers[drawer].push(entry);
+        self.lowest = self.lowest.min(drawer);
+    }
+
+    /// Takes the next entry of the cheapest drawer.
+    #[inline(always)]
+    pub(super) fn pop(&mut self) -> Option<(u32, Drawer)> {
+        if self.out == self.entries.len() {
+            self.open_next()?;
+        }
+        let entry = self.entries[self.out];
+        self.out += 1;
+        self.queued[entry as usize] = false;
+        Some((entry, self.open))
+    }
+
+    /// What will be popped `further` entries on, if it is known already.
+    #[inline(always)]
+    pub(super) fn ahead(&self, further: usize) -> Option<u32> {
+        self.entries.get(self.out + further).copied()
+    }
+
+    fn open_next(&mut self) -> Option<()> {
+        self.out = 0;
+        self.entries.clear();
+        while self.drawers.get(self.lowest)?.is_empty() {
+            self.lowest += 1;
+        }
+        self.open = Drawer(self.lowest as u32);
+        std::mem::swap(&mut self.entries, &mut self.drawers[self.lowest]);
+        Some(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cheap_comes_first_and_equal_in_order() {
+        let costs = [3.0, 1e-30, 0.0, 1e30, 3.0, f64::NAN, 0.5, 0.0];
+        let mut queue = Queue::new(costs.len());
+        costs.iter().enumerate().for_each(|(entry, &cost)| queue.push(entry as u32, Drawer::of(cost)));
+        let mut order = Vec::new();
+        while let Some((entry, drawer)) = queue.pop() {
+            assert_eq!(drawer, Drawer::of(costs[entry as usize]));
+            assert!(!queue.contains(entry));
+            order.push(entry);
+        }
+        assert_eq!(order, [2, 7, 1, 6, 0, 4, 3, 5]);
+    }
+
+    #[test]
+    fn what_is_pushed_below_comes_next() {
+        let mut queue = Queue::new(3);
+        queue.push(0, Drawer::of(1.0));
+        queue.push(1, Drawer::of(2.0));
+        assert_eq!(queue.pop().map(|popped| popped.0), Some(0));
+        queue.push(2, Drawer::of(0.25));
+        assert_eq!(queue.pop().map(|popped| popped.0), Some(2));
+        assert_eq!(queue.pop().map(|popped| popped.0), Some(1));
+        assert_eq!(queue.pop(), None);
+    }
+
+    #[test]
+    fn drawers_are_an_eighth_of_an_octave() {
+        let costs = (0..8000).map(|i| 1e-6 * 1.003f64.powi(i));
+        let mut last = (0.0, Drawer::of(0.0));
+        for cost in costs {
+            let drawer = Drawer::of(cost);
+            assert!(drawer >= last.1);
+            if drawer != last.1 {
+                assert!(last.0 == 0.0 || cost / last.0 < 1.13, "{cost}");
+                last = (cost, drawer);
+            }
+        }
+    }
+}

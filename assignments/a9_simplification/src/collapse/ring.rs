@@ -1,0 +1,148 @@
+//! What is around an edge, and whether it may be drawn together.
+
+use crate::collapse::surface::{NONE, Surface, previous};
+use common::math::DVec3;
+
+/// Least cosine of the angle by which one step may turn a face.
+const LEAST_COSINE: f64 = 0.5;
+/// Least quality 4√3·area/Σ side² of a face that a step makes, 1 for an equilateral triangle;
+/// faces that become better may be worse than that.
+const LEAST_QUALITY: f64 = 1e-3;
+/// Below this the area could be one of rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// A face that stays when an edge is drawn together, seen from the end that moves: the other two
+/// corners, counter-clockwise. Normals are as long as twice the area.
+#[derive(Clone, Copy)]
+pub(super) struct Stays {
+    /// The other two corners.
+    pub points: [u32; 2],
+    /// Its normal as it is.
+    pub before: DVec3,
+    /// Its normal after the step.
+    pub after: DVec3,
+    face: u32,
+    from: DVec3,
+    sides: [DVec3; 2],
+}
+
+/// A face that vanishes with the edge.
+#[derive(Clone, Copy)]
+pub(super) struct Vanishes {
+    /// The corner opposite the edge.
+    pub opposite: u32,
+    /// Its normal, as long as twice the area.
+    pub normal: DVec3,
+}
+
+/// The surroundings of one edge; kept from edge to edge for its memory.
+#[derive(Clone, Default)]
+pub(super) struct Ring {
+    /// Faces at either end that are not at the edge.
+    pub stays: Vec<Stays>,
+    /// Faces at the edge.
+    pub vanishes: Vec<Vanishes>,
+    /// Points next to the start and to the end of the edge.
+    near: [Vec<u32>; 2],
+}
+
+impl Ring {
+    /// Looks around the edge of half-edge `h`.
+    pub(super) fn look(&mut self, surface: &Surface, h: u32) {
+        self.stays.clear();
+        self.vanishes.clear();
+        let ends = [surface.start(h), surface.end(h)];
+        let edge_faces = [h >> 2, surface.twin(h) >> 2];
+        for (side, end) in ends.into_iter().enumerate() {
+            self.look_from(surface, end, edge_faces, side);
+        }
+    }
+
+    /// Walks around one end of the edge.
+    #[inline(always)]
+    fn look_from(&mut self, surface: &Surface, end: u32, edge_faces: [u32; 2], side: usize) {
+        let near = &mut self.near[side];
+        near.clear();
+        let from = surface.at(end);
+        let first = surface.points[end as usize].out;
+        let (mut spoke, mut point) = (first, surface.end(first));
+        let mut at = surface.at(point);
+        loop {
+            near.push(point);
+            let incoming = previous(spoke);
+            let after = surface.start(incoming);
+            let at_after = surface.at(after);
+            let normal = (at - from).cross(at_after - from);
+            if !edge_faces.contains(&(spoke >> 2)) {
+                let (points, sides) = ([point, after], [at, at_after]);
+                let face = spoke >> 2;
+                self.stays.push(Stays { points, before: normal, after: normal, face, from, sides });
+            } else if side == 0 {
+                // Of a face at the edge one of the two is the edge's other end.
+                let first_is_end = spoke >> 2 == edge_faces[0];
+                self.vanishes.push(Vanishes { opposite: if first_is_end { after } else { point }, normal });
+            }
+            (point, at) = (after, at_after);
+            spoke = surface.twin(incoming);
+            if spoke == first {
+                return;
+            }
+            if spoke == NONE {
+                near.push(point);
+                return;
+            }
+        }
+    }
+
+    /// Whether the surface stays one (Dey, Edelsbrunner, Guha & Nekhayev 1999, "Topology
+    /// preserving edge contraction"): the ends share no neighbours but the corners opposite the
+    /// edge, no two boundaries meet, and something is left. `place_of` tells copies of a point.
+    pub(super) fn keeps_topology(&self, surface: &Surface, h: u32, place_of: impl Fn(u32) -> u32) -> bool {
+        let inner = surface.twin(h) != NONE;
+        if inner && surface.on_boundary(surface.start(h)) && surface.on_boundary(surface.end(h)) {
+            return false;
+        }
+        // A tetrahedron, or a single triangle.
+        let least = if inner { 3 } else { 2 };
+        if self.near.iter().all(|near| near.len() == least) {
+            return false;
+        }
+        let [near_start, near_end] = &self.near;
+        let shared = |v: &&u32| near_end.iter().any(|&w| place_of(**v) == place_of(w));
+        near_start.iter().filter(shared).count() == if inner { 2 } else { 1 }
+    }
+
+    /// Whether no face that stays turns over or becomes a sliver when its end moves to `place`.
+    /// Works out the normals after the step.
+    pub(super) fn keeps_shape(&mut self, surface: &Surface, place: DVec3) -> bool {
+        self.stays.iter_mut().all(|face| {
+            let [p, q] = face.sides;
+            let (u, w) = (p - place, q - place);
+            face.after = u.cross(w);
+            let (before, after) = (face.before.length_squared(), face.after.length_squared());
+            let size = (q - p).length_squared() + u.length_squared() + w.length_squared();
+            let old_size = (q - p).length_squared()
+                + (p - face.from).length_squared()
+                + (q - face.from).length_squared();
+            is_no_worse(after, size, before, old_size)
+                && has_not_turned(face.before, face.after, before, after)
+                && surface.faces[face.face as usize].looks_along(face.after)
+        })
+    }
+}
+
+/// Neither a sliver nor worse than it was; squared normals and sums of squared sides.
+#[inline(always)]
+fn is_no_worse(after: f64, size: f64, before: f64, old_size: f64) -> bool {
+    // 4√3·area/Σ side² where the area is half of the normal.
+    const LEAST: f64 = LEAST_QUALITY * LEAST_QUALITY / 12.0;
+    let square = size * size;
+    after >= LEAST * square
+        || (after * old_size * old_size >= before * square && after > ROUNDING * ROUNDING * square)
+}
+
+#[inline(always)]
+fn has_not_turned(before: DVec3, after: DVec3, before2: f64, after2: f64) -> bool {
+    let cosine = before.dot(after);
+    before2 == 0.0 || (cosine > 0.0 && cosine * cosine > LEAST_COSINE * LEAST_COSINE * before2 * after2)
+}

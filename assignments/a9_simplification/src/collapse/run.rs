@@ -1,0 +1,167 @@
+//! The run: the cheapest edge is drawn together if nothing breaks, until few enough are left.
+//!
+//! Prices are not kept up to date. A step makes its neighbours dearer as a rule, so that what is
+//! queued is too cheap if it is wrong; an edge whose turn comes is priced anew and put back if it
+//! is dearer than that.
+
+use crate::collapse::build::Built;
+use crate::collapse::cost::{Cost, Merge, Offer};
+use crate::collapse::queue::{Drawer, Queue};
+use crate::collapse::ring::Ring;
+use crate::collapse::surface::{NONE, Surface, next, previous};
+use crate::collapse::wedges::{Wedges, Where};
+use common::simd::prefetch;
+
+/// How many turns before its own the face of an edge is asked for …
+const FACE_AHEAD: usize = 24;
+/// … and what is known of its ends.
+const POINTS_AHEAD: usize = 12;
+
+/// A surface that is being simplified.
+#[derive(Clone)]
+pub(super) struct Run<C> {
+    pub surface: Surface,
+    /// For every point itself or one that it went into.
+    pub parent: Vec<u32>,
+    /// Whether a point is where the surface was cut; such points stay.
+    pub cut: Vec<bool>,
+    /// For the copies of points, which come after all others, the points they are copies of.
+    pub copies: Vec<u32>,
+    pub wedges: Option<Wedges>,
+    cost: C,
+    queue: Queue,
+    ring: Ring,
+}
+
+impl<C: Cost> Run<C> {
+    /// Prices every edge.
+    pub(super) fn new(built: Built, wedges: Option<Wedges>, cost: impl Fn(&Surface) -> C) -> Self {
+        let Built { surface, copies, cut } = built;
+        let mut run = Self {
+            queue: Queue::new(surface.faces.len() * 4),
+            parent: (0..surface.points.len() as u32).collect(),
+            cut,
+            copies,
+            wedges,
+            cost: cost(&surface),
+            ring: Ring::default(),
+            surface,
+        };
+        for face in 0..run.surface.faces.len() as u32 {
+            for h in 4 * face..4 * face + 3 {
+                let twin = run.surface.twin(h);
+                if twin == NONE || h < twin {
+                    let offer = run.cost.price(&run.surface, h);
+                    run.queue.push(h, Drawer::of(offer.cost));
+                }
+            }
+        }
+        run
+    }
+
+    /// Goes on until at most `target` faces are left; false if no step is left before.
+    pub(super) fn until(&mut self, target: usize) -> bool {
+        while self.surface.alive > target {
+            let Some((h, drawer)) = self.queue.pop() else { return false };
+            self.look_ahead();
+            if !self.surface.is_alive(h >> 2) {
+                continue;
+            }
+            let offer = self.cost.price(&self.surface, h);
+            let now = Drawer::of(offer.cost);
+            if now > drawer.dearer(C::PATIENCE) {
+                self.queue.push(h, now);
+            } else {
+                self.try_step(h, drawer, &offer);
+            }
+        }
+        true
+    }
+
+    /// The original point that a point stands for.
+    pub(super) fn original(&self, point: u32) -> u32 {
+        let originals = self.parent.len() - self.copies.len();
+        (point as usize).checked_sub(originals).map_or(point, |copy| self.copies[copy])
+    }
+
+    #[inline(always)]
+    fn look_ahead(&self) {
+        let surface = &self.surface;
+        if let Some(h) = self.queue.ahead(FACE_AHEAD) {
+            prefetch(&surface.faces[(h >> 2) as usize..]);
+        }
+        if let Some(h) = self.queue.ahead(POINTS_AHEAD) {
+            for point in [surface.start(h), surface.end(h)] {
+                prefetch(&surface.points[point as usize..]);
+                self.cost.prefetch(point);
+            }
+        }
+    }
+
+    /// An edge that may not be drawn together leaves the queue until something near it changes.
+    fn try_step(&mut self, h: u32, drawer: Drawer, offer: &Offer) {
+        let surface = &self.surface;
+        let ends = [surface.start(h), surface.end(h)];
+        if ends.iter().any(|&end| self.cut[end as usize]) {
+            return;
+        }
+        let from = ends.map(|end| surface.at(end));
+        let place = match self.wedges.as_ref().map_or(Where::Anywhere, |wedges| wedges.place(surface, h)) {
+            Where::Anywhere => surface.round(offer.place),
+            Where::Start => surface.points[ends[0] as usize].at,
+            Where::End => surface.points[ends[1] as usize].at,
+            Where::Nowhere => return,
+        };
+        let mut ring = std::mem::take(&mut self.ring);
+        ring.look(surface, h);
+        let at = place.as_dvec3() * surface.scale;
+        if ring.keeps_topology(surface, h, |point| self.original(point)) && ring.keeps_shape(surface, at) {
+            if let Some(wedges) = &mut self.wedges {
+                let edge = from[1] - from[0];
+                let along = (at - from[0]).dot(edge) / edge.length_squared();
+                wedges.merge(&self.surface, h, along.clamp(0.0, 1.0) as f32);
+            }
+            self.surface.collapse(h, place);
+            self.parent[ends[1] as usize] = ends[0];
+            let merge = Merge { kept: ends[0], gone: ends[1], from, place: at };
+            self.cost.merged(&self.surface, &ring, &merge);
+            self.queue_around(ends[0], drawer);
+        }
+        self.ring = ring;
+    }
+
+    /// Queues the edges around a point that are not queued, too cheaply rather than too late.
+    fn queue_around(&mut self, point: u32, drawer: Drawer) {
+        let first = self.surface.points[point as usize].out;
+        let mut spoke = first;
+        loop {
+            for h in [spoke, next(spoke), previous(spoke)] {
+                let twin = self.surface.twin(h);
+                if !self.queue.contains(h) && (twin == NONE || !self.queue.contains(twin)) {
+                    self.queue.push(h, drawer);
+                }
+            }
+            spoke = self.surface.turn(spoke);
+            if spoke == first || spoke == NONE {
+                return;
+            }
+        }
+    }
+}
+
+/// The last of the points that each point went into.
+pub(super) fn roots(parent: &[u32]) -> Vec<u32> {
+    let mut root = parent.to_vec();
+    for point in 0..root.len() {
+        let mut last = root[point];
+        while root[last as usize] != last {
+            last = root[last as usize];
+        }
+        // Whoever passes here later has a short way.
+        let mut at = point;
+        while root[at] != last {
+            at = std::mem::replace(&mut root[at], last) as usize;
+        }
+    }
+    root
+}

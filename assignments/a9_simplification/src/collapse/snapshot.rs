@@ -1,0 +1,125 @@
+//! What is left at some time of a run, without what is gone.
+
+use crate::collapse::cost::Cost;
+use crate::collapse::run::{Run, roots};
+use crate::collapse::surface::{Face, NONE, Point, Surface};
+use crate::collapse::wedges::Wedges;
+use common::mesh::Mesh;
+
+/// The faces and points that are left, numbered anew.
+pub(super) struct Snapshot {
+    pub surface: Surface,
+    /// For every original point the one it became, [`NONE`] if no face is left there.
+    pub becomes: Vec<u32>,
+    /// Points that must stay where they are.
+    pub fixed: Vec<bool>,
+    /// For every point the first of those that are copies of the same.
+    first: Vec<u32>,
+    /// For every half-edge its number in the run.
+    faces: Vec<u32>,
+}
+
+impl Snapshot {
+    /// Takes it.
+    pub(super) fn take<C: Cost>(run: &Run<C>) -> Self {
+        let (number, points) = numbered(run);
+        let mut faces = Vec::with_capacity(run.surface.alive);
+        let mut new_face = vec![NONE; run.surface.faces.len()];
+        for face in (0..run.surface.faces.len() as u32).filter(|&face| run.surface.is_alive(face)) {
+            new_face[face as usize] = faces.len() as u32;
+            faces.push(face);
+        }
+        let half_edge = |h: u32| if h == NONE { NONE } else { new_face[(h >> 2) as usize] << 2 | (h & 3) };
+        let surface = Surface {
+            faces: faces
+                .iter()
+                .map(|&face| run.surface.faces[face as usize].renumbered(|p| number[p as usize], half_edge))
+                .collect(),
+            points: points
+                .iter()
+                .map(|&p| run.surface.points[p as usize])
+                .map(|p| Point { at: p.at, out: half_edge(p.out) })
+                .collect(),
+            alive: faces.len(),
+            scale: run.surface.scale,
+        };
+        let first = points.iter().map(|&p| first_of(run, &number, p)).collect();
+        let mut becomes = roots(&run.parent);
+        becomes.truncate(run.parent.len() - run.copies.len());
+        becomes.iter_mut().for_each(|root| *root = number[*root as usize]);
+        Self { surface, becomes, fixed: points.iter().map(|&p| run.cut[p as usize]).collect(), first, faces }
+    }
+
+    /// As a mesh, and for every vertex of the original the one it became.
+    pub(super) fn mesh(&self, point_of: &[u32], wedges: Option<&Wedges>) -> (Mesh, Vec<u32>) {
+        match wedges {
+            None => self.plain_mesh(point_of),
+            Some(wedges) => self.mesh_with(wedges),
+        }
+    }
+
+    fn plain_mesh(&self, point_of: &[u32]) -> (Mesh, Vec<u32>) {
+        let mut mesh = Mesh::default();
+        let mut vertex = vec![NONE; self.first.len()];
+        for (point, &first) in self.first.iter().enumerate() {
+            if first == point as u32 {
+                vertex[point] = mesh.positions.len() as u32;
+                mesh.positions.push(self.surface.points[point].at);
+            }
+        }
+        let vertex_of = |point: u32| vertex[self.first[point as usize] as usize];
+        mesh.triangles = self.surface.faces.iter().map(|face| face.corners().map(vertex_of)).collect();
+        let becomes = |&point: &u32| match point {
+            NONE => NONE,
+            point => match self.becomes[point as usize] {
+                NONE => NONE,
+                point => vertex_of(point),
+            },
+        };
+        (mesh, point_of.iter().map(becomes).collect())
+    }
+
+    fn mesh_with(&self, wedges: &Wedges) -> (Mesh, Vec<u32>) {
+        let mut mesh = Mesh::default();
+        let mut vertex = vec![NONE; wedges.parent.len()];
+        for (&old, face) in self.faces.iter().zip(&self.surface.faces) {
+            let corners = face.corners();
+            mesh.triangles.push(std::array::from_fn(|i| {
+                let wedge = wedges.at(4 * old + i as u32) as usize;
+                if vertex[wedge] == NONE {
+                    vertex[wedge] = mesh.positions.len() as u32;
+                    mesh.positions.push(self.surface.points[corners[i] as usize].at);
+                    mesh.normals.extend(wedges.normals.get(wedge));
+                    mesh.uvs.extend(wedges.uvs.get(wedge));
+                }
+                vertex[wedge]
+            }));
+        }
+        let becomes = roots(&wedges.parent).into_iter().map(|wedge| vertex[wedge as usize]).collect();
+        (mesh, becomes)
+    }
+}
+
+/// New numbers of the points that are left, and these points.
+fn numbered<C: Cost>(run: &Run<C>) -> (Vec<u32>, Vec<u32>) {
+    let mut number = vec![NONE; run.surface.points.len()];
+    let mut left = Vec::new();
+    for (i, _) in run.surface.points.iter().enumerate().filter(|(_, point)| point.out != NONE) {
+        number[i] = left.len() as u32;
+        left.push(i as u32);
+    }
+    (number, left)
+}
+
+/// Copies come after what they are copies of and never go, so that the first is still there.
+fn first_of<C: Cost>(run: &Run<C>, number: &[u32], point: u32) -> u32 {
+    number[run.original(point) as usize]
+}
+
+impl Face {
+    fn renumbered(&self, point: impl Fn(u32) -> u32, half_edge: impl Fn(u32) -> u32) -> Self {
+        let mut face = Self::new(self.corners().map(point));
+        face.copy_rest(self, half_edge);
+        face
+    }
+}

@@ -1,0 +1,9 @@
+//! Tests of the simplification itself: what must hold whatever the mesh.
+
+mod attributes;
+mod bound;
+mod exact;
+mod irregular;
+mod shapes;
+mod topology;
+mod whole;
