@@ -18,7 +18,7 @@ use std::sync::Mutex;
 
 /// Rays that are traced together: enough for structures that follow many at a time, few enough
 /// for the caches.
-const TOGETHER: usize = 1024;
+const TOGETHER: usize = 256;
 
 /// The light that camera rays find.
 pub trait Shade: Sync {
