@@ -26,6 +26,7 @@ const RULES: Rules = Rules {
     fresnel: false,
     skip_behind: true,
     skip_dark: true,
+    skip_inside: true,
     skip_black: true,
 };
 
