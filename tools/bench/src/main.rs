@@ -1,5 +1,5 @@
 //! Run time, measured. `cargo run --release -p bench -- pictures`, or `-- kernels`,
-//! `-- rays`, `-- trees`, `-- growth`; other people's structures take part in `rays` with
+//! `-- rays`, `-- trees`, `-- growth`, `-- sampling`; other people's structures take part in `rays` with
 //! `cargo run --release -p bench --features peers -- rays`.
 //!
 //! What is compared is interleaved, so that a busy moment of the machine hits all alike, and
@@ -12,6 +12,7 @@ mod kernels;
 mod pictures;
 mod rays;
 mod sample;
+mod sampling;
 mod trees;
 mod truth;
 mod world;
@@ -48,6 +49,8 @@ enum Part {
     Trees(trees::Options),
     /// Cost of a ray from a thousand to ten million triangles, with a plot
     Growth(growth::Options),
+    /// Error of pictures against samples and against time: patterns, filters, adaptive sampling
+    Sampling(sampling::Options),
     /// One command line of assignment 5, as a process to be timed
     #[command(hide = true)]
     Child {
@@ -65,6 +68,7 @@ fn main() -> ExitCode {
         Part::Rays(options) => rays::run(&options),
         Part::Trees(options) => trees::run(&options),
         Part::Growth(options) => growth::run(&options),
+        Part::Sampling(options) => sampling::run(&options),
         Part::Child { args } => child(args),
     })
 }
