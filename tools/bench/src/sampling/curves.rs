@@ -3,7 +3,7 @@
 use super::csv::Csv;
 use super::measure::{Outcome, Recipe, truth};
 use super::scene::Lit;
-use super::statistics::{Mean, slope};
+use super::statistics::{Mean, price_at, slope};
 use super::{Effort, kernels};
 use crate::growth::plot::{self, Curve, Upward};
 use crate::sample::Sample;
@@ -49,6 +49,19 @@ impl Series {
 
     fn mean(&self, count: usize) -> Mean {
         Mean::of(&self.outcomes[count].iter().map(|o| o.rmse).collect::<Vec<_>>())
+    }
+
+    /// Median milliseconds of processor time.
+    fn cpu(&self, count: usize) -> f64 {
+        let mut cpu = Sample::default();
+        self.outcomes[count].iter().for_each(|o| cpu.add(o.cpu));
+        cpu.median()
+    }
+
+    /// Milliseconds of processor time until the error is `rmse`, if it ever is.
+    fn time_until(&self, rmse: f64) -> Option<f64> {
+        let curve: Vec<_> = (0..self.outcomes.len()).map(|i| (self.mean(i).value, self.cpu(i))).collect();
+        price_at(&curve, rmse)
     }
 }
 
@@ -127,13 +140,16 @@ fn measure(
 fn print(what: &str, lit: &Lit, effort: &Effort, counts: &[u32], series: &[(Series, &Film)]) {
     let heads: Vec<String> = counts.iter().map(|n| format!("{:>17}", format!("{n} samples"))).collect();
     say(&format!(
-        "\n{}: {what}; RMSE in thousandths with 95 % intervals of {} seeds, {}; slope from {FROM} samples on",
+        "\n{}: {what}; RMSE in thousandths with 95 % intervals of {} seeds, {};\nslope from {FROM} samples on; time until the last error of the first row, over the time that takes",
         lit.name(),
         effort.seeds,
         lit.size(),
     ));
-    say(&format!("{:<28}{}   {:<16} {:>12}", "", heads.join(""), "slope", "us a sample"));
-    let last = f64::from(counts[counts.len() - 1]) * lit.size().pixels() as f64;
+    say(&format!("{:<28}{}   {:<16} {:>12} {:>10}", "", heads.join(""), "slope", "us a sample", "time"));
+    let last = counts.len() - 1;
+    let samples = f64::from(counts[last]) * lit.size().pixels() as f64;
+    // What independent samples, the first row, take to get as far as they get.
+    let (rmse, longest) = (series[0].0.mean(last).value, series[0].0.cpu(last));
     for (s, _) in series {
         let cells: Vec<String> = (0..counts.len())
             .map(|i| {
@@ -143,11 +159,10 @@ fn print(what: &str, lit: &Lit, effort: &Effort, counts: &[u32], series: &[(Seri
             .collect();
         let seeds: Vec<_> = (0..effort.seeds as usize).map(|seed| s.fitted(counts, seed)).collect();
         let slope = slope(&seeds);
-        let mut cpu = Sample::default();
-        s.outcomes.last().into_iter().flatten().for_each(|o| cpu.add(o.cpu));
-        let price = cpu.median() * 1e3 / last;
+        let price = s.cpu(last) * 1e3 / samples;
+        let time = s.time_until(rmse).map_or("-".to_owned(), |time| format!("{:.3}", time / longest));
         let slope = format!("{:.3} ± {:.3}", slope.value, slope.within);
-        say(&format!("{:<28}{}   {slope:<16} {price:>12.3}", s.name, cells.join("")));
+        say(&format!("{:<28}{}   {slope:<16} {price:>12.3} {time:>10}", s.name, cells.join("")));
     }
 }
 

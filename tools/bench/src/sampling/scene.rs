@@ -77,12 +77,12 @@ const BOARD: &str = "PerspectiveCamera { center 0 1 0 direction 0.2 -0.3 -1 up 0
 
 const SHADOW: &str = "PerspectiveCamera { center 0 3 6 direction 0 -0.5 -1 up 0 1 0 angle 40 }
     Background { color 0.1 0.1 0.2 }
-    Lights { numLights 1 SphereLight { position 2 5 1 color 0.9 0.9 0.9 radius 0.8 } }
+    Lights { numLights 1 SphereLight { center 2 5 1 radius 0.8 color 0.9 0.9 0.9 } }
     Materials { numMaterials 2 PhongMaterial { diffuseColor 0.8 0.8 0.8 } PhongMaterial { diffuseColor 0.9 0.3 0.2 } }
     Group { numObjects 2 MaterialIndex 0 Plane { normal 0 1 0 offset 0 }
         MaterialIndex 1 Sphere { center 0 1 0 radius 1 } }";
 
-const LENS: &str = "PerspectiveCamera { center 0 1 6 direction 0 -0.1 -1 up 0 1 0 angle 40 aperture 0.5 focal_distance 6 }
+const LENS: &str = "PerspectiveCamera { center 0 1 6 direction 0 -0.1 -1 up 0 1 0 angle 40 aperture 0.5 focalDistance 6 }
     Background { color 0.3 0.4 0.5 ambientLight 0.3 0.3 0.3 }
     Lights { numLights 1 DirectionalLight { direction -1 -1 -1 color 0.8 0.8 0.8 } }
     Materials { numMaterials 2 PhongMaterial { diffuseColor 0.9 0.3 0.2 } PhongMaterial { diffuseColor 0.3 0.9 0.4 } }
