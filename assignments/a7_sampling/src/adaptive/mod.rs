@@ -63,7 +63,7 @@ impl Adaptive {
         while plan.iter().any(|range| !range.is_empty()) {
             let which = |(x, y): Pixel| plan[y as usize * size.width() as usize + x as usize].clone();
             counters += exposure.expose(&mut negative, 0..size.height(), &which, Some(&record));
-            plan = survey.map(&exposure.cast.general, |estimate| self.next(estimate, limit));
+            plan = survey.plan(&exposure.cast.general, &plan, |estimate| self.next(estimate, limit));
         }
         let mut film = Film::new(size);
         negative.develop(0, &mut film);

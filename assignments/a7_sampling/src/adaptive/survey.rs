@@ -4,7 +4,8 @@ use crate::exposure::Sample;
 use common::cli::GeneralArgs;
 use common::math::{DVec3, Vec3};
 use common::picture::Size;
-use common::tiles::for_each_job;
+use common::tiles::{TileOptions, for_each_job};
+use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 /// Pixels to each side that are asked how much better the pattern is than independent samples.
@@ -94,7 +95,7 @@ impl Survey {
 
     /// Bytes of memory for a picture.
     pub fn bytes(size: Size) -> usize {
-        size.pixels() * (size_of::<Look>() + size_of::<std::ops::Range<u32>>())
+        size.pixels() * (size_of::<Look>() + size_of::<Told>() + 2 * size_of::<Range<u32>>())
     }
 
     /// Adds samples of one pixel; the first to come are two halves by themselves.
@@ -118,46 +119,89 @@ impl Survey {
             .collect()
     }
 
-    /// Applies `what` to all pixels, row by row from the bottom.
-    pub fn map<T: Send>(&self, general: &GeneralArgs, what: impl Fn(Estimate) -> T + Sync) -> Vec<T> {
-        let rows: Vec<Vec<Look>> = (0..self.size.height()).map(|y| self.row(y).clone()).collect();
-        let made: Vec<Mutex<Vec<T>>> = rows.iter().map(|_| Mutex::new(Vec::new())).collect();
-        let mut options = general.tile_options("judging");
-        options.label = None;
+    /// What is known of the pixels now, to be read by many threads.
+    fn told(&self, last: &[Range<u32>]) -> Vec<Vec<Told>> {
+        let width = self.size.width() as usize;
+        let told = |(look, last): (&Look, &Range<u32>)| Told {
+            count: look.count,
+            variance: look.variance() as f32,
+            change: look.change,
+            is_new: !last.is_empty(),
+        };
+        let rows = last.chunks_exact(width).zip(0..);
+        rows.map(|(last, y)| self.row(y).iter().zip(last).map(told).collect()).collect()
+    }
+
+    /// The samples that every pixel gets next, row by row from the bottom, as `next` says for its
+    /// estimate. `last` are those of the last pass: where nobody near got any, nothing is new, and
+    /// who had enough has enough.
+    pub fn plan(
+        &self,
+        general: &GeneralArgs,
+        last: &[Range<u32>],
+        next: impl Fn(Estimate) -> Range<u32> + Sync,
+    ) -> Vec<Range<u32>> {
+        let rows = self.told(last);
+        let made: Vec<Mutex<Vec<Range<u32>>>> = rows.iter().map(|_| Mutex::default()).collect();
+        let options = TileOptions { label: None, ..general.tile_options("") };
         for_each_job(
             rows.len(),
             &options,
             || (),
             |(), y| {
-                let row = (0..rows[y].len()).map(|x| what(estimate(&rows, x, y))).collect();
-                *made[y].lock().unwrap_or_else(PoisonError::into_inner) = row;
+                let fresh = fresh(&rows, y);
+                let range = |x| if fresh[x] { next(estimate(&rows, x, y)) } else { 0..0 };
+                *made[y].lock().unwrap_or_else(PoisonError::into_inner) =
+                    (0..rows[y].len()).map(range).collect();
             },
         );
         made.into_iter().flat_map(|row| row.into_inner().unwrap_or_else(PoisonError::into_inner)).collect()
     }
 }
 
+/// What a pixel tells its neighbours.
+#[derive(Clone, Copy, Debug)]
+struct Told {
+    count: u32,
+    /// Of a single sample.
+    variance: f32,
+    /// As in [`Look`].
+    change: f32,
+    /// Whether it got samples in the last pass.
+    is_new: bool,
+}
+
+/// The pixels near one along an axis of so many.
+fn near(at: usize, end: usize) -> Range<usize> {
+    at.saturating_sub(NEAR)..(at + NEAR + 1).min(end)
+}
+
+/// For every pixel of a row, whether one near it is new.
+fn fresh(rows: &[Vec<Told>], y: usize) -> Vec<bool> {
+    let around = &rows[near(y, rows.len())];
+    let columns: Vec<bool> = (0..rows[y].len()).map(|x| around.iter().any(|row| row[x].is_new)).collect();
+    (0..columns.len()).map(|x| columns[near(x, columns.len())].contains(&true)).collect()
+}
+
 /// The error of a pixel as it and those around it tell.
-fn estimate(rows: &[Vec<Look>], x: usize, y: usize) -> Estimate {
+fn estimate(rows: &[Vec<Told>], x: usize, y: usize) -> Estimate {
     let own = rows[y][x];
-    let count = f64::from(own.count);
-    let near = |at: usize, end: usize| at.saturating_sub(NEAR)..(at + NEAR + 1).min(end);
+    let count = own.count as f32;
     let (mut change, mut expected, mut variance, mut pixels) = (0.0, 0.0, 0.0, 0.0);
     for row in &rows[near(y, rows.len())] {
-        for look in &row[near(x, row.len())] {
-            let own_variance = look.variance();
-            variance += own_variance;
+        for told in &row[near(x, row.len())] {
+            variance += told.variance;
             pixels += 1.0;
             // Patterns get better with more samples: what has fewer says nothing of this pixel.
-            if 2 * look.count >= own.count {
-                change += f64::from(look.change);
-                expected += own_variance / f64::from(look.count);
+            if 2 * told.count >= own.count {
+                change += told.change;
+                expected += told.variance / told.count as f32;
             }
         }
     }
     let better = if expected > 0.0 { change / expected } else { 0.0 };
-    let squared_error = better * (own.variance() + variance / pixels / count) / count;
-    Estimate { samples: own.count, squared_error }
+    let squared_error = better * (own.variance + variance / pixels / count) / count;
+    Estimate { samples: own.count, squared_error: f64::from(squared_error) }
 }
 
 #[cfg(test)]
@@ -206,8 +250,9 @@ mod tests {
             survey.record(&samples(pixel, &values[values.len() / 2..]));
             true_error += (f64::from(values.iter().sum::<f32>()) / f64::from(total) - shift(pixel)).powi(2);
         }
-        let estimates = survey.map(&GeneralArgs::default(), |e| e.squared_error);
-        (true_error / 1600.0, estimates.iter().sum::<f64>() / 1600.0)
+        let rows = survey.told(&vec![0..1; size.pixels()]);
+        let estimates = (0..1600).map(|i| estimate(&rows, i % 40, i / 40).squared_error);
+        (true_error / 1600.0, estimates.sum::<f64>() / 1600.0)
     }
 
     /// Honest for independent samples, and on the safe side of the truth, but not far, for good
