@@ -11,7 +11,7 @@ use common::cli::{AppError, say};
 use std::path::PathBuf;
 
 /// The errors asked for.
-const ERRORS: [f64; 5] = [0.04, 0.02, 0.01, 0.005, 0.0025];
+const ERRORS: [f64; 4] = [0.04, 0.02, 0.01, 0.005];
 
 /// A recipe with what came of it, seed after seed.
 type Measured = (Recipe, Vec<Outcome>);
