@@ -82,7 +82,7 @@ where
         .x_label_formatter(&|x| short(*x))
         .y_label_formatter(&|y| match upward {
             Upward::Linear => format!("{y:.0}"),
-            Upward::Logarithmic => format!("{y}"),
+            Upward::Logarithmic => small(*y),
         })
         .light_line_style(WHITE)
         .draw()?;
@@ -113,6 +113,12 @@ fn short(x: f64) -> String {
     }
 }
 
+/// A small number without the rounding errors that steps of the axis have.
+fn small(y: f64) -> String {
+    let text = format!("{y:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -131,6 +137,7 @@ mod tests {
                 .all(|word| text.contains(word))
         );
         assert!(text.matches("<polyline").count() >= 2 && text.trim_end().ends_with("</svg>"));
+        assert_eq!([0.009000000000000001, 1.0, 0.1, 20.0].map(small), ["0.009", "1", "0.1", "20"]);
         assert!(draw(&file, ["", "", ""], Upward::Linear, &[]).is_err() && !file.exists());
     }
 }
