@@ -216,8 +216,8 @@ mod tests {
     fn a7t6_wide_kernels_leave_less_noise() {
         let close = |kernel: Kernel, gain: f64| (kernel.noise_gain() / gain - 1.0).abs() < 0.02;
         assert!(close(Kernel::Box(0.5), 1.0) && close(Kernel::Box(1.5), 1.0 / 9.0));
-        // The square of a wide bell integrates to 1/4πσ² of its own square integral.
-        assert!(close(Kernel::Gaussian(2.0), 1.0 / (16.0 * PI) / 0.9545f64.powi(4)));
+        // ∫w² = πσ² over (∫w)² = (2πσ²)², of which 97.555 % along each axis are within 2.25 σ.
+        assert!(close(Kernel::Gaussian(2.0), 1.0 / (16.0 * PI) / 0.97555f64.powi(4)));
         assert!(Kernel::Tent(0.5).noise_gain() > 1.0, "a narrow one wastes samples");
         ALL.iter().for_each(|kernel| assert!((0.01..2.0).contains(&kernel.noise_gain()), "{kernel:?}"));
     }
