@@ -117,7 +117,7 @@ fn wrong_values_of_the_other_flags_are_refused() {
 #[test]
 fn a7t6_statistics_and_the_picture_of_the_samples_agree() {
     let scratch = scratch(b"");
-    let args = "-input good.txt -size 40 30 -samples_image counts.pfm -adaptive 0.02 -samples 64 -stats";
+    let args = "-input good.txt -size 41 31 -samples_image counts.pfm -adaptive 0.02 -samples 64 -stats";
     let outcome = accepted(&PROGRAM, &scratch, &args.split(' ').collect::<Vec<_>>());
     let note = outcome.stdout.lines().find(|line| line.contains("samples taken")).expect("a note");
     assert!(note.contains("Sobol, error 0.02") && note.contains("least 8, most 64"), "{note}");
