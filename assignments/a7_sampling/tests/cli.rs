@@ -117,10 +117,10 @@ fn wrong_values_of_the_other_flags_are_refused() {
 #[test]
 fn a7t6_statistics_and_the_picture_of_the_samples_agree() {
     let scratch = scratch(b"");
-    let args = "-input good.txt -size 41 31 -samples_image counts.pfm -adaptive 0.02 -samples 64 -stats";
+    let args = "-input good.txt -size 41 31 -samples_image counts.pfm -adaptive 0.005 -samples 64 -stats";
     let outcome = accepted(&PROGRAM, &scratch, &args.split(' ').collect::<Vec<_>>());
     let note = outcome.stdout.lines().find(|line| line.contains("samples taken")).expect("a note");
-    assert!(note.contains("Sobol, error 0.02") && note.contains("least 8, most 64"), "{note}");
+    assert!(note.contains("Sobol, error 0.005") && note.contains("least 8, most 64"), "{note}");
     let film = read(&scratch.file("counts.pfm"), Transfer::Linear).unwrap();
     // Dark grey for 8, white for 64, equal steps between.
     let count = |grey: f32| 8.0 * 2f32.powf((grey - 0.1) / 0.9 * 3.0).round();
