@@ -207,7 +207,7 @@ fn estimate(rows: &[Vec<Told>], x: usize, y: usize) -> Estimate {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sampler::{Pattern, Sampler, pair};
+    use crate::sampler::{Pattern, pair};
 
     fn samples(pixel: (u32, u32), values: &[f32]) -> Vec<Sample> {
         values.iter().map(|v| Sample { pixel, at: [0.5; 2], color: Vec3::splat(*v) }).collect()
