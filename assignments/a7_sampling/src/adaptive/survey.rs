@@ -125,6 +125,7 @@ impl Survey {
         let told = |(look, last): (&Look, &Range<u32>)| Told {
             count: look.count,
             variance: look.variance() as f32,
+            expected: look.variance() as f32 / look.count.max(1) as f32,
             change: look.change,
             is_new: !last.is_empty(),
         };
@@ -165,6 +166,8 @@ struct Told {
     count: u32,
     /// Of a single sample.
     variance: f32,
+    /// Squared error of the mean if all samples were independent.
+    expected: f32,
     /// As in [`Look`].
     change: f32,
     /// Whether it got samples in the last pass.
@@ -195,7 +198,7 @@ fn estimate(rows: &[Vec<Told>], x: usize, y: usize) -> Estimate {
             // Patterns get better with more samples: what has fewer says nothing of this pixel.
             if 2 * told.count >= own.count {
                 change += told.change;
-                expected += told.variance / told.count as f32;
+                expected += told.expected;
             }
         }
     }
