@@ -127,6 +127,9 @@ impl Exposure<'_> {
         desk: &mut Desk,
     ) -> Vec<(Pixel, Shares)> {
         let rays: u64 = tile.pixels().map(|pixel| which(pixel).len() as u64).sum();
+        if rays == 0 {
+            return Vec::new();
+        }
         let search = match self.aperture {
             None => !self.studio.skips(self.cast, tile, rays, &mut desk.counters),
             Some(_) => {

@@ -19,12 +19,13 @@ pub mod sampler;
 mod shoot;
 mod smooth;
 
+pub use adaptive::{Adaptive, Survey};
 pub use args::{EffectArgs, Program, SamplingArgs};
 pub use exposure::{Exposure, Sample, Shade, Watch};
 pub use film::{Negative, Shares};
 pub use filter::{Kernel, KernelName};
 pub use motion::MotionArgs;
-pub use picture::{SamplesPicture, kernel_picture};
+pub use picture::{SamplesPicture, counts_picture, kernel_picture};
 pub use plan::{FilterArgs, PatternArgs};
 pub use sampler::{Pattern, Sampler};
 pub use shoot::{Sampled, SoftWhitted, run};

@@ -1,5 +1,6 @@
 //! The flags that say where samples lie and how they add up, and what they come to.
 
+use crate::adaptive::{Adaptive, MOST_SAMPLES};
 use crate::args::zoomed_file;
 use crate::filter::{Kernel, KernelName};
 use crate::sampler::Pattern;
@@ -48,7 +49,8 @@ pub struct PatternArgs {
     #[arg(long, value_name = "ERROR", conflicts_with = "course_pattern")]
     pub adaptive: Option<f64>,
 
-    /// Picture of how many samples each pixel took, white being the most
+    /// Picture of how many samples each pixel took: dark grey the fewest, white the most, every
+    /// doubling as large a step
     #[arg(long, value_name = "PICTURE", requires = "adaptive")]
     pub samples_image: Option<PathBuf>,
 }
@@ -88,8 +90,14 @@ impl PatternArgs {
         ];
         let course = course.into_iter().find_map(|(pattern, samples)| Some((pattern, samples?)));
         let asked = self.sampler.is_some() || self.samples.is_some() || self.adaptive.is_some();
-        let usual = if self.adaptive.is_some() { crate::adaptive::MOST_SAMPLES } else { USUAL };
+        let usual = if self.adaptive.is_some() { MOST_SAMPLES } else { USUAL };
         course.or_else(|| asked.then(|| (self.sampler.unwrap_or_default(), self.samples.unwrap_or(usual))))
+    }
+
+    /// When pixels have enough samples, if they are to have different numbers of them.
+    pub fn plan(&self) -> Option<Adaptive> {
+        let error = self.adaptive?;
+        Some(Adaptive { error, most: self.samples.unwrap_or(MOST_SAMPLES) })
     }
 
     /// The picture of the samples and its zoom.

@@ -2,7 +2,7 @@
 
 use crate::aperture::Aperture;
 use crate::light::SoftLights;
-use crate::picture::{SamplesPicture, kernel_picture};
+use crate::picture::{SamplesPicture, counts_picture, kernel_picture};
 use crate::sampler::{Pattern, Pixel};
 use crate::{Exposure, Sample, SamplingArgs, Shade, smoothed};
 use a1_ray_casting::{Report, Sight, Studio, World};
@@ -155,7 +155,8 @@ impl Sampled<'_> {
     ) -> Result<(), AppError> {
         let (cast, plan, effects) = (args.cast(), &self.args.pattern, &self.args.effects);
         let dots = plan.picture()?;
-        if cast.output.is_none() && dots.is_none() && !cast.general.program.stats {
+        let wanted = cast.output.is_some() || dots.is_some() || plan.samples_image.is_some();
+        if !wanted && !cast.general.program.stats {
             return Ok(());
         }
         let (pattern, samples) = self.pattern();
@@ -178,9 +179,21 @@ impl Sampled<'_> {
             }
         };
         let watch = painted.is_some().then_some(&paint as crate::Watch);
-        let (mut film, counters) = report.time("render", || exposure.picture(samples, watch));
-        report.counters += counters;
-        report.notes.push(format!("samples: {samples} per pixel, {pattern:?}"));
+        let (mut film, counts, note) = match plan.plan() {
+            None => {
+                let (film, counters) = report.time("render", || exposure.picture(samples, watch));
+                report.counters += counters;
+                (film, None, format!("samples: {samples} per pixel, {pattern:?}"))
+            }
+            Some(adaptive) => {
+                let (film, survey, counters) =
+                    report.time("render", || adaptive.picture(&exposure, watch))?;
+                report.counters += counters;
+                let note = format!("{pattern:?}, error {}: {}", adaptive.error, adaptive.describe(&survey));
+                (film, Some(survey.counts()), note)
+            }
+        };
+        report.notes.push(note);
         if effects.smooth || effects.smooth_edges.is_some() {
             film = smoothed(&film, effects.smooth_edges);
         }
@@ -190,6 +203,9 @@ impl Sampled<'_> {
             }
             if let (Some((path, _)), Some(picture)) = (&dots, painted) {
                 write(path, &picture.into_film(), Transfer::Linear)?;
+            }
+            if let (Some(path), Some(counts)) = (&plan.samples_image, counts) {
+                write(path, &counts_picture(studio.size, &counts), Transfer::Linear)?;
             }
             Ok(())
         })

@@ -1,6 +1,6 @@
 //! Run time, measured. `cargo run --release -p bench -- pictures`, or `-- kernels`,
-//! `-- rays`, `-- trees`, `-- growth`, `-- simplify`; other people's work takes part in `rays` and
-//! `simplify` with `cargo run --release -p bench --features peers -- rays`.
+//! `-- rays`, `-- trees`, `-- growth`, `-- sampling`, `-- simplify`; other people's work takes part
+//! in `rays` and `simplify` with `cargo run --release -p bench --features peers -- rays`.
 //!
 //! What is compared is interleaved, so that a busy moment of the machine hits all alike, and
 //! medians are printed with their quartiles. Results are verified before anything is timed.
@@ -12,6 +12,7 @@ mod kernels;
 mod pictures;
 mod rays;
 mod sample;
+mod sampling;
 mod simplify;
 mod trees;
 mod truth;
@@ -51,6 +52,8 @@ enum Part {
     Growth(growth::Options),
     /// Processor time of simplification against its error, on meshes of every kind
     Simplify(simplify::Options),
+    /// Error of pictures against samples and against time: patterns, filters, adaptive sampling
+    Sampling(sampling::Options),
     /// One command line of assignment 5, as a process to be timed
     #[command(hide = true)]
     Child {
@@ -69,6 +72,7 @@ fn main() -> ExitCode {
         Part::Trees(options) => trees::run(&options),
         Part::Growth(options) => growth::run(&options),
         Part::Simplify(options) => simplify::run(&options),
+        Part::Sampling(options) => sampling::run(&options),
         Part::Child { args } => child(args),
     })
 }

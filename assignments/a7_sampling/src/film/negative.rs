@@ -107,7 +107,9 @@ impl Negative {
         ready.max(done)
     }
 
-    /// A pixel of the picture: weighted colours over weights, added up in a fixed order. Where the
+    /// A pixel of the picture: weighted colours over weights, added up in a fixed order. All pixels
+    /// count alike, also those that have more samples than others: those know their part better, it
+    /// is no larger. Where the
     /// weights come to nothing, because a narrow kernel caught no sample or its lobes cancelled
     /// out, it is the plain average of its own samples.
     ///
@@ -125,7 +127,8 @@ impl Negative {
             for i in near(x, self.size.width()) {
                 // Where the giver (i, j) sees this pixel in its square.
                 let (right, up) = (support + x as usize - i, support + y as usize - j);
-                let share = row[i * stride + 1 + up * side + right].as_dvec4();
+                let count = f64::from(row[i * stride].w).max(1.0);
+                let share = row[i * stride + 1 + up * side + right].as_dvec4() / count;
                 sum += share;
                 greatest = greatest.max(share.w.abs());
             }
@@ -215,6 +218,29 @@ mod tests {
                 let off = (*pixel - Vec3::new(1.0, 0.25, 3.0)).abs().max_element();
                 assert!(off < 1e-6, "{kernel:?} {pixel}");
             }
+        }
+    }
+
+    /// One pixel with a hundred times the samples of the others is no heavier than they are.
+    #[test]
+    fn a7t6_more_samples_are_no_more_weight() {
+        let size = Size::new(3, 1).unwrap();
+        let value = |x: u32| Vec3::splat(x as f32);
+        let picture = |counts: [u32; 3]| {
+            let kernel = Some(Kernel::Gaussian(0.8));
+            let (mut negative, mut film) = (Negative::new(size, kernel), Film::new(size));
+            negative.extend_to(1);
+            for x in 0..3 {
+                let mut shares = Shares::new(kernel);
+                (0..counts[x as usize]).for_each(|_| shares.add([0.3, 0.6], value(x)));
+                negative.add(x, 0, &shares);
+            }
+            negative.develop(0, &mut film);
+            film
+        };
+        let (even, uneven) = (picture([2; 3]), picture([2, 200, 2]));
+        for (a, b) in even.pixels().iter().zip(uneven.pixels()) {
+            assert!((*a - *b).abs().max_element() < 1e-5, "{a} {b}");
         }
     }
 

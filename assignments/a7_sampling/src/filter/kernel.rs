@@ -92,6 +92,21 @@ impl Kernel {
         }
     }
 
+    /// How much of the noise of single pixels is left after the filter: the variance of a pixel of
+    /// the picture over that of the plain mean of one pixel's samples, if all pixels around have as
+    /// many, equally noisy and independent samples. 1 for a box over the pixel, less for wider
+    /// kernels.
+    pub fn noise_gain(&self) -> f64 {
+        const STEPS: i32 = 16;
+        let pixels = 2 * self.support() as i32 + 1;
+        let at = |i: i32| (f64::from(i) + 0.5) / f64::from(STEPS) - f64::from(pixels) / 2.0;
+        let places = (0..pixels * STEPS).flat_map(|i| (0..pixels * STEPS).map(move |j| (at(i), at(j))));
+        let (sum, squares) = places
+            .map(|(x, y)| self.weight(x, y))
+            .fold((0.0, 0.0), |(sum, squares), w| (sum + w, squares + w * w));
+        squares * f64::from(STEPS * STEPS) / (sum * sum)
+    }
+
     /// From how far away samples count, in pixels along an axis.
     fn reach(&self) -> f64 {
         match *self {
@@ -196,6 +211,16 @@ mod tests {
         let harris = Kernel::BlackmanHarris(2.0);
         assert!((harris.weight(0.0, 0.0) - 1.0).abs() < 1e-12);
         assert!(harris.weight(1.9999, 0.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn a7t6_wide_kernels_leave_less_noise() {
+        let close = |kernel: Kernel, gain: f64| (kernel.noise_gain() / gain - 1.0).abs() < 0.02;
+        assert!(close(Kernel::Box(0.5), 1.0) && close(Kernel::Box(1.5), 1.0 / 9.0));
+        // ∫w² = πσ² over (∫w)² = (2πσ²)², of which 97.555 % along each axis are within 2.25 σ.
+        assert!(close(Kernel::Gaussian(2.0), 1.0 / (16.0 * PI) / 0.97555f64.powi(4)));
+        assert!(Kernel::Tent(0.5).noise_gain() > 1.0, "a narrow one wastes samples");
+        ALL.iter().for_each(|kernel| assert!((0.01..2.0).contains(&kernel.noise_gain()), "{kernel:?}"));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! How the cost of a ray grows with the number of triangles: the same surface, cut ever finer.
 
-mod fit;
-mod plot;
+pub mod fit;
+pub mod plot;
 
 use crate::clock;
 use crate::rays::{RaySet, make};
@@ -16,7 +16,7 @@ use common::counters::Counters;
 use common::geometry::Geometry;
 use common::math::Interval;
 use fit::fit;
-use plot::Curve;
+use plot::{Curve, Upward};
 use std::hint::black_box;
 use std::path::PathBuf;
 
@@ -79,7 +79,7 @@ pub fn run(options: &Options) -> Result<(), AppError> {
         .map(|s| Curve { name: series(s), points: curve(&points, s, |p| (p.triangles as f64, p.time)) })
         .collect();
     let words = ["Cost of a ray on ever finer meshes", "triangles", "ns per ray"];
-    plot::draw(&options.svg, words, &curves)?;
+    plot::draw(&options.svg, words, Upward::Linear, &curves)?;
     say(&format!("plot: {}", options.svg.display()));
     Ok(())
 }
