@@ -37,8 +37,10 @@ type Drawing = fn(f32, f32) -> Vec3;
 struct Drawn(Drawing);
 
 impl Shade for Drawn {
-    fn radiance(&self, sight: &Sight, _: Pixel, _: u32, _: &mut Counters) -> Vec3 {
-        (self.0)(sight.ray.origin.x, sight.ray.origin.y)
+    fn radiances(&self, sights: &[Sight], _: &[(Pixel, u32)], _: &mut Counters, radiances: &mut [Vec3]) {
+        for (sight, radiance) in sights.iter().zip(radiances) {
+            *radiance = (self.0)(sight.ray.origin.x, sight.ray.origin.y);
+        }
     }
 }
 

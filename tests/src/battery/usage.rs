@@ -18,7 +18,7 @@ const FLAGS: &[Case] = &[
     ("-output o.tga -threads many", &["'many'", "-threads"]),
     ("-output o.tga -tile 0", &["'0'", "-tile"]),
     ("-output o.tga -simd mmx", &["'mmx'", "baseline, sse4, avx2"]),
-    ("-output o.tga -noskip sleep", &["'sleep'", "tile, behind, dark, black"]),
+    ("-output o.tga -noskip sleep", &["'sleep'", "tile, behind, dark, inside, black"]),
     ("-output o.tga -quiet -verbose", &["-quiet", "-verbose"]),
     ("", &["nothing to do", "-output"]),
 ];
