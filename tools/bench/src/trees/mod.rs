@@ -172,7 +172,8 @@ mod tests {
         let mut studio = stage::studio(&world, 24).unwrap();
         let mut costs = vec![Cost::default(); KINDS.len()];
         round(&mut studio, &whitted().unwrap(), &mut costs).unwrap();
-        assert!(costs.iter().all(|c| c.views.iter().all(|v| v.median() > 0.0)));
+        // Not measured would be NaN; 0 is what a clock of some milliseconds may say of so little.
+        assert!(costs.iter().all(|c| c.views.iter().all(|v| v.median() >= 0.0)));
         assert!(costs.iter().all(|c| c.work.rays > 256 && c.work.shadow_rays > 0));
         let tests = |k: usize| costs[k].work.intersections / costs[k].work.rays;
         assert!(tests(3) < tests(0) / 10, "the tree saves nothing: {} {}", tests(3), tests(0));
