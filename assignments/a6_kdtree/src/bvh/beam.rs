@@ -1,5 +1,6 @@
 //! One ray against the eight boxes of a node.
 
+use super::walk::Way;
 use super::wide::{WIDTH, WideNode};
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
@@ -39,6 +40,7 @@ impl Beam {
             far_offset: spread(simd, &self.far_offset),
             min: f32x8::splat(simd, min),
             near: self.near,
+            backward: self.backward,
         }
     }
 }
@@ -55,13 +57,28 @@ pub struct Spread<S: Simd> {
     far_offset: [f32x8<S>; 3],
     min: f32x8<S>,
     near: [u32; 3],
+    backward: u32,
+}
+
+impl<S: Simd> Way<S> for Spread<S> {
+    #[inline(always)]
+    fn backward(&self) -> u32 {
+        self.backward
+    }
+
+    #[inline(always)]
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+        let (near, lanes) = self.boxes(simd, node, max);
+        near.store_slice(enter);
+        lanes
+    }
 }
 
 impl<S: Simd> Spread<S> {
     /// Where the ray enters each child's box, and a bit for those that it may meet, no later than
     /// `max`. Written without closures, see [`common::simd`].
     #[inline(always)]
-    pub fn meet(&self, simd: S, node: &WideNode, max: f32) -> (f32x8<S>, u32) {
+    pub fn boxes(&self, simd: S, node: &WideNode, max: f32) -> (f32x8<S>, u32) {
         let (near_x, far_x) = self.slab(simd, node, 0);
         let (near_y, far_y) = self.slab(simd, node, 1);
         let (near_z, far_z) = self.slab(simd, node, 2);

@@ -4,7 +4,7 @@ use super::frustum::Frustum;
 use super::packet::{Lanes, Packet, RAYS};
 use super::single::limit;
 use super::stack::Stack;
-use super::walk::{Visit, walk};
+use super::walk::{Visit, Way, walk};
 use super::wide::{Bvh, WIDTH, WideNode};
 use common::accel::Job;
 use common::counters::Counters;
@@ -46,6 +46,18 @@ impl Bundle<'_> {
     }
 }
 
+impl<S: Simd> Way<S> for Bundle<'_> {
+    #[inline(always)]
+    fn backward(&self) -> u32 {
+        self.frustum.backward
+    }
+
+    #[inline(always)]
+    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
+        self.frustum.meet(simd, node, self.interval.min, max, enter)
+    }
+}
+
 /// Looks for the first hit of each ray.
 struct Firsts<'a, 'g> {
     bvh: &'a Bvh<'g>,
@@ -57,16 +69,6 @@ struct Firsts<'a, 'g> {
 }
 
 impl<S: Simd> Visit<S> for Firsts<'_, '_> {
-    #[inline(always)]
-    fn backward(&self) -> u32 {
-        self.bundle.frustum.backward
-    }
-
-    #[inline(always)]
-    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
-        self.bundle.frustum.meet(simd, node, self.bundle.interval.min, max, enter)
-    }
-
     #[inline(always)]
     fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
         let Bundle { packet, rays, interval, .. } = *self.bundle;
@@ -92,16 +94,6 @@ struct AllBlocked<'a, 'g> {
 }
 
 impl<S: Simd> Visit<S> for AllBlocked<'_, '_> {
-    #[inline(always)]
-    fn backward(&self) -> u32 {
-        self.bundle.frustum.backward
-    }
-
-    #[inline(always)]
-    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
-        self.bundle.frustum.meet(simd, node, self.bundle.interval.min, max, enter)
-    }
-
     #[inline(always)]
     fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
         let Bundle { packet, rays, interval, asked, .. } = *self.bundle;
@@ -131,7 +123,7 @@ impl Bvh<'_> {
         }
         let limits = bundle.limits(&last);
         let mut firsts = Firsts { bvh: self, bundle, last, limits, best };
-        walk(simd, self, stack, greatest(&limits), &mut firsts, c);
+        walk(simd, self, stack, greatest(&limits), bundle, &mut firsts, c);
     }
 
     /// A bit for each of the asked rays that hits anything.
@@ -146,7 +138,7 @@ impl Bvh<'_> {
         let limits = bundle.limits(&[bundle.interval.max; RAYS]);
         let max = greatest(&limits);
         let mut blocked = AllBlocked { bvh: self, bundle, limits, max, hit: 0 };
-        walk(simd, self, stack, max, &mut blocked, c);
+        walk(simd, self, stack, max, bundle, &mut blocked, c);
         blocked.hit
     }
 }

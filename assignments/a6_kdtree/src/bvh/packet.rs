@@ -3,7 +3,7 @@
 use super::beam::Beam;
 use super::slabs::{ORDINARY, Slabs};
 use super::wide::{WIDTH, WideNode};
-use common::math::{Bounds, Interval, Vec3};
+use common::math::{Bounds, Vec3};
 use common::ray::Ray;
 use common::shape::filter::{Errors, Filter, MARGIN};
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
@@ -207,22 +207,6 @@ impl<const N: usize> Packet<N> {
     #[inline(always)]
     pub fn margin(&self, lane: usize) -> f32 {
         self.reach[lane] * MARGIN
-    }
-
-    /// A bit for every child whose box one of the rays may meet inside the interval, and where
-    /// it enters them.
-    #[inline(always)]
-    pub fn meet<S: Simd>(
-        &self,
-        simd: S,
-        lane: usize,
-        node: &WideNode,
-        interval: Interval,
-        enter: &mut [f32; WIDTH],
-    ) -> u32 {
-        let (near, lanes) = self.beam(lane).spread(simd, interval.min).meet(simd, node, interval.max);
-        near.store_slice(enter);
-        lanes
     }
 }
 

@@ -4,14 +4,14 @@ use super::beam::Spread;
 use super::packet::Packet;
 use super::stack::Stack;
 use super::walk::{Visit, walk};
-use super::wide::{Bvh, Held, WIDTH, WideNode};
+use super::wide::{Bvh, Held, WideNode};
 use common::accel::Job;
 use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::Interval;
 use common::ray::Ray;
 use common::shape::ExactRay;
-use common::simd::{Simd, SimdBase};
+use common::simd::Simd;
 
 /// More than the rounding of t at both sides of a comparison; relative to t.
 const ROUNDING: f32 = 1.0 / (1 << 20) as f32;
@@ -51,10 +51,8 @@ impl<const N: usize> Query<'_, N> {
 }
 
 /// Looks for the first hit of a ray.
-struct First<'a, 'g, S: Simd> {
+struct First<'a, 'g> {
     bvh: &'a Bvh<'g>,
-    beam: Spread<S>,
-    backward: u32,
     margin: f32,
     job: Job<'a>,
     /// Hits later than this do not matter; known before the exact hit is.
@@ -62,19 +60,7 @@ struct First<'a, 'g, S: Simd> {
     best: Option<Hit>,
 }
 
-impl<S: Simd> Visit<S> for First<'_, '_, S> {
-    #[inline(always)]
-    fn backward(&self) -> u32 {
-        self.backward
-    }
-
-    #[inline(always)]
-    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
-        let (near, lanes) = self.beam.meet(simd, node, max);
-        near.store_slice(enter);
-        lanes
-    }
-
+impl<S: Simd> Visit<S> for First<'_, '_> {
     #[inline(always)]
     fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
         let held = node.child[child].held();
@@ -84,28 +70,14 @@ impl<S: Simd> Visit<S> for First<'_, '_, S> {
 }
 
 /// Looks for any hit of a ray.
-struct Blocked<'a, 'g, S: Simd> {
+struct Blocked<'a, 'g> {
     bvh: &'a Bvh<'g>,
-    beam: Spread<S>,
-    backward: u32,
     job: Job<'a>,
     max: f32,
     hit: bool,
 }
 
-impl<S: Simd> Visit<S> for Blocked<'_, '_, S> {
-    #[inline(always)]
-    fn backward(&self) -> u32 {
-        self.backward
-    }
-
-    #[inline(always)]
-    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
-        let (near, lanes) = self.beam.meet(simd, node, max);
-        near.store_slice(enter);
-        lanes
-    }
-
+impl<S: Simd> Visit<S> for Blocked<'_, '_> {
     #[inline(always)]
     fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
         self.hit = self.bvh.any_held(simd, node.child[child].held(), &self.job, c);
@@ -130,16 +102,8 @@ impl Bvh<'_> {
         // two blocks or none.
         let job = Job { filter: std::hint::black_box(filter), ray, interval };
         let last = best.map_or(interval.max, |b| b.t);
-        let mut first = First {
-            bvh: self,
-            beam: query.beam(simd),
-            backward: packet.backward[lane],
-            margin: packet.margin(lane),
-            job,
-            last,
-            best,
-        };
-        walk(simd, self, stack, query.limit(last), &mut first, c);
+        let mut first = First { bvh: self, margin: packet.margin(lane), job, last, best };
+        walk(simd, self, stack, query.limit(last), &query.beam(simd), &mut first, c);
         first.best
     }
 
@@ -157,15 +121,8 @@ impl Bvh<'_> {
         // As above.
         let job = Job { filter: std::hint::black_box(filter), ray, interval };
         let max = query.limit(interval.max);
-        let mut blocked = Blocked {
-            bvh: self,
-            beam: query.beam(simd),
-            backward: packet.backward[lane],
-            job,
-            max,
-            hit: false,
-        };
-        walk(simd, self, stack, max, &mut blocked, c);
+        let mut blocked = Blocked { bvh: self, job, max, hit: false };
+        walk(simd, self, stack, max, &query.beam(simd), &mut blocked, c);
         blocked.hit
     }
 

@@ -78,7 +78,7 @@ impl Slot {
     pub fn enter<S: Simd>(&mut self, simd: S, nodes: &[WideNode], min: f32) -> bool {
         let index = self.next.index();
         let node = &nodes[index];
-        let (enter, lanes) = self.beam.spread(simd, min).meet(simd, node, self.max);
+        let (enter, lanes) = self.beam.spread(simd, min).boxes(simd, node, self.max);
         if lanes == 0 {
             return self.pop(simd, nodes);
         }

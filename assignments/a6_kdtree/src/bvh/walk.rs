@@ -6,14 +6,17 @@ use super::wide::{Bvh, WIDTH, WideNode};
 use common::counters::Counters;
 use common::simd::{Simd, SimdBase, SimdMask, f32x8};
 
-/// Who goes through the tree.
-pub trait Visit<S: Simd> {
+/// Who goes through the tree: one ray, or several behind one frustum.
+pub trait Way<S: Simd> {
     /// A bit for every axis along which it goes towards smaller coordinates.
     fn backward(&self) -> u32;
 
     /// A bit for every child whose box may be met no later than `max`, and where it is entered.
     fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32;
+}
 
+/// What is done there.
+pub trait Visit<S: Simd> {
     /// Looks into a child that is a leaf. Returns where the search may end: boxes that are entered
     /// later need not be looked at; −∞ if none need be.
     fn leaf(&mut self, simd: S, node: &WideNode, child: usize, counters: &mut Counters) -> f32;
@@ -26,17 +29,18 @@ pub fn walk<S: Simd>(
     tree: &Bvh,
     stack: &mut Stack,
     mut max: f32,
+    way: &impl Way<S>,
     visit: &mut impl Visit<S>,
     c: &mut Counters,
 ) {
     let Some(mut node) = tree.nodes.first() else { return };
-    let (backward, large) = (visit.backward(), tree.is_large());
+    let (backward, large) = (way.backward(), tree.is_large());
     stack.clear();
     let mut level = 0;
     let mut visited = 1;
     let top = stack.at(0);
     top.node = 0;
-    let mut lanes = visit.meet(simd, node, max, &mut top.enter);
+    let mut lanes = way.meet(simd, node, max, &mut top.enter);
     loop {
         if lanes == 0 {
             let Some(below) = stack.below(level) else { break };
@@ -59,7 +63,7 @@ pub fn walk<S: Simd>(
             node = &tree.nodes[held.index()];
             let top = stack.at(level);
             top.node = held.index() as u32;
-            lanes = visit.meet(simd, node, max, &mut top.enter);
+            lanes = way.meet(simd, node, max, &mut top.enter);
             continue;
         }
         max = visit.leaf(simd, node, child, c);

@@ -9,7 +9,7 @@ use crate::bvh::packet::Packet;
 use crate::bvh::single::limit;
 use crate::bvh::stack::Stack;
 use crate::bvh::walk::{Visit, walk};
-use crate::bvh::wide::{Held, WIDTH, WideNode};
+use crate::bvh::wide::{Held, WideNode};
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit, hit_triangle};
 use common::math::Interval;
@@ -49,8 +49,9 @@ impl Instances<'_> {
         let margin = packet.margin(0);
         let goal = Goal::<ANY> { ray, interval, best };
         let stretch = widened(interval, &goal, margin);
-        let mut parts = Parts { scene: self, packet: &packet, stretch, margin, goal };
-        walk(simd, &self.top, &mut Stack::new(), stretch.max, &mut parts, c);
+        let mut parts = Parts { scene: self, margin, goal };
+        let beam = packet.beam(0).spread(simd, stretch.min);
+        walk(simd, &self.top, &mut Stack::new(), stretch.max, &beam, &mut parts, c);
         parts.goal.best
     }
 }
@@ -83,23 +84,11 @@ fn widened<const ANY: bool>(interval: Interval, goal: &Goal<ANY>, margin: f32) -
 /// At the leaves of the top level.
 struct Parts<'a, 'g, const ANY: bool> {
     scene: &'a Instances<'g>,
-    packet: &'a Packet<1>,
-    stretch: Interval,
     margin: f32,
     goal: Goal<'a, ANY>,
 }
 
 impl<S: Simd, const ANY: bool> Visit<S> for Parts<'_, '_, ANY> {
-    #[inline(always)]
-    fn backward(&self) -> u32 {
-        self.packet.backward[0]
-    }
-
-    #[inline(always)]
-    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
-        self.packet.meet(simd, 0, node, Interval { max, ..self.stretch }, enter)
-    }
-
     #[inline(always)]
     fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
         let held = node.child[child].held();
@@ -139,17 +128,10 @@ impl<const ANY: bool> Parts<'_, '_, ANY> {
         let stretch = widened(interval, &self.goal, margin);
         let exact = ExactRay::new(ray);
         let geometry = self.scene.geometry;
-        let mut blocks = Blocks {
-            geometry,
-            tree,
-            placement,
-            object: &object,
-            stretch,
-            exact,
-            margin,
-            goal: &mut self.goal,
-        };
-        walk(simd, tree, &mut Stack::new(), stretch.max, &mut blocks, c);
+        let mut blocks =
+            Blocks { geometry, tree, placement, object: &object, exact, margin, goal: &mut self.goal };
+        let beam = object.packet.beam(0).spread(simd, stretch.min);
+        walk(simd, tree, &mut Stack::new(), stretch.max, &beam, &mut blocks, c);
     }
 }
 
@@ -159,23 +141,12 @@ struct Blocks<'a, 'g, 'r, const ANY: bool> {
     tree: &'a Bvh<'g>,
     placement: &'a Placement,
     object: &'a ObjectRay,
-    stretch: Interval,
     exact: ExactRay,
     margin: f32,
     goal: &'a mut Goal<'r, ANY>,
 }
 
 impl<S: Simd, const ANY: bool> Visit<S> for Blocks<'_, '_, '_, ANY> {
-    #[inline(always)]
-    fn backward(&self) -> u32 {
-        self.object.packet.backward[0]
-    }
-
-    #[inline(always)]
-    fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
-        self.object.packet.meet(simd, 0, node, Interval { max, ..self.stretch }, enter)
-    }
-
     #[inline(always)]
     fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
         let held = node.child[child].held();
