@@ -5,7 +5,10 @@
 //! the mean is the picture.
 
 mod args;
+pub mod bsdf;
+pub mod light;
+pub mod numbers;
 pub mod path;
 
 pub use args::{PathArgs, Program, run};
-pub use path::{Found, Integrator, PathTracer, Rules, Scratch};
+pub use path::{Found, Integrator, PathTracer, Rules, Scratch, Tally};

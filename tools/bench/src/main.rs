@@ -9,6 +9,7 @@
 mod clock;
 mod growth;
 mod kernels;
+mod path;
 mod pictures;
 mod rays;
 mod sample;
@@ -54,6 +55,8 @@ enum Part {
     Simplify(simplify::Options),
     /// Error of pictures against samples and against time: patterns, filters, adaptive sampling
     Sampling(sampling::Options),
+    /// Error of path-traced pictures against processor time: integrators, samplers
+    Path(path::Options),
     /// One command line of assignment 5, as a process to be timed
     #[command(hide = true)]
     Child {
@@ -73,6 +76,7 @@ fn main() -> ExitCode {
         Part::Growth(options) => growth::run(&options),
         Part::Simplify(options) => simplify::run(&options),
         Part::Sampling(options) => sampling::run(&options),
+        Part::Path(options) => path::run(&options),
         Part::Child { args } => child(args),
     })
 }

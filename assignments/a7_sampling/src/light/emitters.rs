@@ -85,7 +85,7 @@ impl<'a> Emitters<'a> {
 
 /// How bright each material is: the sum of its three channels, of a texture the mean of what it
 /// blends.
-fn brightness(scene: &Scene) -> Vec<f64> {
+pub fn brightness(scene: &Scene) -> Vec<f64> {
     let mut all: Vec<f64> = Vec::with_capacity(scene.materials.len());
     for material in &scene.materials {
         all.push(match material {

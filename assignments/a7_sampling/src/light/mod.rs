@@ -10,6 +10,6 @@ mod shape;
 mod soft;
 
 pub use cone::Cone;
-pub use emitters::{Emitters, LightPoint};
-pub use shape::{EmitterShape, ShapePoint};
+pub use emitters::{Emitters, LightPoint, brightness};
+pub use shape::{EmitterShape, ShapePoint, triangle};
 pub use soft::{LampsOfSample, SoftLights};

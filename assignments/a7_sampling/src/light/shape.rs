@@ -97,13 +97,33 @@ impl EmitterShape {
                 let (direction, _) =
                     Cone::new(&Sphere { center: DVec3::ZERO, radius: 1.0 }, DVec3::ZERO).direction(uv);
                 let position = e.to_world.point(e.sphere.center + direction * e.sphere.radius);
-                // The map stretches areas by |det M|·|M⁻ᵀn|.
-                let stretch = e.to_world.linear.determinant().abs() * e.to_world.normal(direction).length();
-                let density = 1.0 / (4.0 * PI * e.sphere.radius.powi(2) * stretch);
-                by_area(seen(position, [0.0; 2]), from, density)
+                by_area(seen(position, [0.0; 2]), from, ellipsoid_density(e, position))
             }
         }
     }
+}
+
+impl EmitterShape {
+    /// Density per steradian with which [`EmitterShape::point`], as seen from `from`, is this point
+    /// of it; 0 where nothing is looked for.
+    pub fn pdf(&self, from: DVec3, surface: &Surface) -> f64 {
+        match self {
+            Self::Triangle(_) | Self::Disc(..) => by_area(*surface, from, 1.0 / self.area()).pdf,
+            Self::Sphere(sphere) => {
+                let cone = Cone::new(sphere, from);
+                if cone.is_outside() { 1.0 / cone.solid_angle() } else { 0.0 }
+            }
+            Self::Ellipsoid(e) => by_area(*surface, from, ellipsoid_density(e, surface.point)).pdf,
+        }
+    }
+}
+
+/// Density per area at a point of an ellipsoid whose sphere's points are chosen evenly: the map
+/// stretches areas by |det M|·|M⁻ᵀn|.
+fn ellipsoid_density(e: &Ellipsoid, point: DVec3) -> f64 {
+    let direction = (e.to_world.inverse_point(point) - e.sphere.center).normalize_or_zero();
+    let stretch = e.to_world.linear.determinant().abs() * e.to_world.normal(direction).length();
+    1.0 / (4.0 * PI * e.sphere.radius.powi(2) * stretch)
 }
 
 /// Turns a density per area into one per solid angle.

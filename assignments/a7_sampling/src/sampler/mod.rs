@@ -10,7 +10,7 @@ pub mod hash;
 mod multi_jittered;
 mod r2;
 mod random;
-mod sobol;
+pub mod sobol;
 mod strata;
 
 pub use blue_noise::BlueNoise;

@@ -50,16 +50,20 @@ fn pascal(mut index: u64) -> u32 {
 }
 
 /// Flips each bit depending on those above it and on the key: a random element of Owen's
-/// scramblings in base 2. The steps let information flow from low to high bits only (Laine &
-/// Karras, "Stratified sampling for stochastic transparency", 2011, with the constants that
-/// Vegdahl found to mix well, 2021), so the bits are turned round before and after.
+/// scramblings in base 2.
 #[inline]
 pub fn owen(bits: u32, key: u32) -> u32 {
-    let mut x = bits.reverse_bits();
+    owen_reversed(bits.reverse_bits(), key).reverse_bits()
+}
+
+/// The same for bits in the opposite order, where each is flipped depending on those below. The
+/// steps let information flow from low to high bits only (Laine & Karras, "Stratified sampling for
+/// stochastic transparency", 2011, with the constants that Vegdahl found to mix well, 2021).
+#[inline]
+pub fn owen_reversed(mut x: u32, key: u32) -> u32 {
     x ^= x.wrapping_mul(0x3d20_adea);
     x = x.wrapping_add(key);
     x = x.wrapping_mul((key >> 16) | 1);
     x ^= x.wrapping_mul(0x0552_6c56);
-    x ^= x.wrapping_mul(0x53a2_2864);
-    x.reverse_bits()
+    x ^ x.wrapping_mul(0x53a2_2864)
 }

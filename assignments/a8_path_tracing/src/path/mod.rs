@@ -1,21 +1,33 @@
-//! Paths from the eye to the lights.
+//! A8T4, A8T5: paths from the eye to the lights.
+//!
+//! Paths grow generation by generation, those of many samples together: all their rays are sent
+//! at once, every surface that is met asks a light and chooses a way on ([`surface`]), and all
+//! shadow rays are sent at once. What a path finds does not depend on who is traced beside it.
 
-use a1_ray_casting::World;
+mod generation;
+mod surface;
+
+use crate::bsdf::Bsdf;
+use crate::light::Lights;
+use crate::numbers::{Numbers, Rows, Stream, Use};
+use a1_ray_casting::{Studio, World};
+use a7_sampling::aperture::Aperture;
 use a7_sampling::sampler::Pixel;
 use common::accel::Accel;
-use common::camera::Camera;
+use common::camera::screen_position;
 use common::counters::Counters;
+use common::geometry::Hit;
 use common::math::Vec3;
-use common::picture::Size;
-use std::ops::Range;
+use common::ray::Ray;
+use std::ops::{AddAssign, Range};
 
 /// How light is looked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 #[value(rename_all = "snake_case")]
 pub enum Integrator {
-    /// Paths end when they happen to meet a light
+    /// Paths go on until they happen to meet a light
     Naive,
-    /// Every surface asks one light directly; what paths happen to meet counts for mirrors only
+    /// Every surface asks one light; what paths happen to meet counts after mirrors and glass only
     Nee,
     /// Both, each weighed by how well it finds what it found
     #[default]
@@ -27,15 +39,27 @@ pub enum Integrator {
 pub struct Rules {
     /// How light is looked for.
     pub integrator: Integrator,
-    /// Most times that a path is scattered before the surface that a light shines on; no limit if
+    /// Most surfaces that send a path on before the one that a light shines on; no limit if
     /// `None`. With 0 there is direct light only.
     pub bounces: Option<u32>,
     /// Surfaces that a path meets before roulette may end it.
     pub roulette_depth: u32,
-    /// Skips.
+    /// No shadow ray to lights behind the surface.
     pub skip_behind: bool,
-    /// Skips.
-    pub skip_black: bool,
+    /// No light is asked for surfaces that send no light between two given directions.
+    pub skip_specular: bool,
+}
+
+impl Default for Rules {
+    fn default() -> Self {
+        Self {
+            integrator: Integrator::Mis,
+            bounces: None,
+            roulette_depth: 2,
+            skip_behind: true,
+            skip_specular: true,
+        }
+    }
 }
 
 /// What one sample of a pixel found.
@@ -51,25 +75,109 @@ pub struct Found {
     pub depth: f32,
 }
 
+/// What paths have done, beside what [`Counters`] count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Paths begun.
+    pub paths: u64,
+    /// Surfaces met.
+    pub surfaces: u64,
+    /// Surfaces that were mirrors or glass, and asked no light.
+    pub skipped_specular: u64,
+    /// Paths ended by roulette.
+    pub roulette: u64,
+}
+
+impl AddAssign for Tally {
+    fn add_assign(&mut self, other: Self) {
+        self.paths += other.paths;
+        self.surfaces += other.surfaces;
+        self.skipped_specular += other.skipped_specular;
+        self.roulette += other.roulette;
+    }
+}
+
+/// A path on its way.
+#[derive(Clone, Copy, Debug)]
+struct Path {
+    /// What is left of light that it finds.
+    throughput: Vec3,
+    /// Which of the samples it is.
+    slot: u32,
+    /// Its numbers.
+    stream: Stream,
+    /// Normal of the surface that it left, on the side that it left to.
+    normal: Vec3,
+    /// Density of its direction per steradian; infinite if no light could have been asked instead.
+    pdf: f32,
+}
+
+/// Light on its way to a surface, if nothing is in between.
+#[derive(Clone, Copy, Debug)]
+struct Expected {
+    slot: u32,
+    light: Vec3,
+}
+
+/// Shadow rays of a generation.
+#[derive(Default)]
+struct Shadows {
+    rays: Vec<Ray>,
+    expected: Vec<Expected>,
+    blocked: Vec<bool>,
+}
+
 /// Memory that a thread works in.
 #[derive(Default)]
-pub struct Scratch {}
+pub struct Scratch {
+    rows: Rows,
+    rays: Vec<Ray>,
+    paths: Vec<Path>,
+    hits: Vec<Option<Hit>>,
+    next_rays: Vec<Ray>,
+    next_paths: Vec<Path>,
+    /// To lights at places: in units of their length.
+    near: Shadows,
+    /// To lights infinitely far away.
+    far: Shadows,
+    /// What was done.
+    pub tally: Tally,
+}
 
 /// Follows paths through a scene.
 pub struct PathTracer<'a> {
-    /// What surfaces are made of.
-    pub world: &'a dyn World,
-    /// What finds hits.
-    pub accel: &'a dyn Accel,
-    /// Where paths begin.
-    pub camera: &'a Camera,
-    /// Size of the whole picture.
-    pub size: Size,
-    /// What paths may do.
-    pub rules: Rules,
+    studio: &'a Studio,
+    world: &'a dyn World,
+    accel: &'a dyn Accel,
+    lights: Lights<'a>,
+    numbers: Numbers,
+    aperture: Option<Aperture>,
+    rules: Rules,
+    /// What is the same all over a material.
+    plain: Vec<Option<Bsdf>>,
 }
 
-impl PathTracer<'_> {
+impl<'a> PathTracer<'a> {
+    /// For the pictures of a studio through any structure; `world` tells what surfaces are made of.
+    pub fn new(
+        studio: &'a Studio,
+        world: &'a dyn World,
+        accel: &'a dyn Accel,
+        lights: Lights<'a>,
+        numbers: Numbers,
+        rules: Rules,
+    ) -> Self {
+        let materials = 0..world.as_scene().materials.len() as u32;
+        let plain = materials.map(|index| world.plain(index).map(Bsdf::new)).collect();
+        let aperture = studio.camera.lens.map(|lens| Aperture::new(lens.blades));
+        Self { studio, world, accel, lights, numbers, aperture, rules, plain }
+    }
+
+    /// The lights that are asked for.
+    pub fn lights(&self) -> &Lights<'a> {
+        &self.lights
+    }
+
     /// Traces some samples of some pixels. What is found for a sample depends on pixel, sample and
     /// seed only. `found` holds the samples of the first pixel, then those of the second, ….
     ///
@@ -77,13 +185,54 @@ impl PathTracer<'_> {
     /// If `found` is not as long as there are samples.
     pub fn trace(
         &self,
-        _scratch: &mut Scratch,
+        scratch: &mut Scratch,
         pixels: &[Pixel],
         samples: Range<u32>,
-        _counters: &mut Counters,
+        counters: &mut Counters,
         found: &mut [Found],
     ) {
         assert_eq!(found.len(), pixels.len() * samples.len());
         found.fill(Found::default());
+        self.begin(scratch, pixels, samples);
+        scratch.tally.paths += found.len() as u64;
+        let mut generation = 0;
+        while !scratch.rays.is_empty() {
+            self.advance(scratch, generation, counters, found);
+            generation += 1;
+        }
+    }
+
+    /// The rays from the eye.
+    fn begin(&self, scratch: &mut Scratch, pixels: &[Pixel], samples: Range<u32>) {
+        self.numbers.prepare(samples.clone(), &mut scratch.rows);
+        scratch.rays.clear();
+        scratch.paths.clear();
+        let mut slot = 0;
+        for &pixel in pixels {
+            for row in 0..samples.len() as u32 {
+                let stream = self.numbers.stream(pixel, samples.start, row);
+                scratch.rays.push(self.camera_ray(&stream, &scratch.rows, pixel));
+                scratch.paths.push(Path {
+                    throughput: Vec3::ONE,
+                    slot,
+                    stream,
+                    normal: Vec3::ZERO,
+                    pdf: f32::INFINITY,
+                });
+                slot += 1;
+            }
+        }
+    }
+
+    fn camera_ray(&self, stream: &Stream, rows: &Rows, (x, y): Pixel) -> Ray {
+        let [u, v] = self.numbers.pair(stream, rows, Use::Pixel);
+        let on_screen = screen_position(self.studio.size, f64::from(x) + u, f64::from(y) + v);
+        match self.aperture {
+            None => self.studio.camera.ray(on_screen),
+            Some(aperture) => {
+                let on_lens = aperture.point(self.numbers.pair(stream, rows, Use::Lens));
+                self.studio.camera.ray_through_lens(on_screen, on_lens)
+            }
+        }
     }
 }

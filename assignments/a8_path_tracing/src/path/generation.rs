@@ -1,0 +1,131 @@
+//! One step of all paths.
+
+use super::{Expected, Found, Path, PathTracer, Scratch, Shadows};
+use crate::Integrator;
+use common::accel::Accel;
+use common::counters::Counters;
+use common::geometry::Surface;
+use common::math::{DVec3, Interval, Vec3};
+use common::ray::Ray;
+
+impl PathTracer<'_> {
+    /// Sends the rays, looks at what they meet, sends the shadow rays; the next rays are then in
+    /// the place of these.
+    pub(super) fn advance(
+        &self,
+        scratch: &mut Scratch,
+        generation: u32,
+        counters: &mut Counters,
+        found: &mut [Found],
+    ) {
+        let interval = if generation == 0 { self.studio.camera.interval } else { Interval::FORWARD };
+        counters.rays += scratch.rays.len() as u64;
+        scratch.hits.clear();
+        scratch.hits.resize(scratch.rays.len(), None);
+        self.accel.nearest_many(&scratch.rays, interval, &mut scratch.hits, counters);
+        scratch.near.clear();
+        scratch.far.clear();
+        scratch.next_rays.clear();
+        scratch.next_paths.clear();
+        for i in 0..scratch.rays.len() {
+            let (ray, path, hit) = (scratch.rays[i], scratch.paths[i], scratch.hits[i]);
+            let found = &mut found[path.slot as usize];
+            match hit {
+                None => self.escape(&ray, &path, generation, found),
+                Some(hit) => {
+                    let surface = self.studio.geometry.surface(&ray, &hit);
+                    self.meet(scratch, &ray, path, hit.t, &surface, generation, counters, found);
+                }
+            }
+        }
+        scratch.near.arrive(self.accel, Interval::up_to(1.0), counters, found);
+        scratch.far.arrive(self.accel, Interval::FORWARD, counters, found);
+        std::mem::swap(&mut scratch.rays, &mut scratch.next_rays);
+        std::mem::swap(&mut scratch.paths, &mut scratch.next_paths);
+    }
+
+    /// A path that leaves the scene.
+    fn escape(&self, ray: &Ray, path: &Path, generation: u32, found: &mut Found) {
+        let (radiance, pdf) = self.lights.from_afar(ray.direction);
+        found.radiance += path.throughput * radiance * self.met_by_chance(path.pdf, pdf);
+        if generation == 0 {
+            found.albedo = radiance;
+        }
+    }
+
+    /// Light that the front of a surface gives off, weighed against having been asked for.
+    pub(super) fn emitted(&self, path: &Path, emissive: Vec3, ray: &Ray, t: f32, surface: &Surface) -> Vec3 {
+        let direction = ray.direction.as_dvec3();
+        if emissive == Vec3::ZERO || surface.geometric_normal.dot(direction) >= 0.0 {
+            return Vec3::ZERO;
+        }
+        // From the eye, or from a mirror, there was no other way to find it.
+        if path.pdf == f32::INFINITY || self.rules.integrator == Integrator::Naive {
+            return path.throughput * emissive;
+        }
+        let from: DVec3 = ray.origin.as_dvec3();
+        let asked = self.lights.pdf(from, path.normal, direction, f64::from(t), surface);
+        path.throughput * emissive * self.met_by_chance(path.pdf, asked)
+    }
+
+    /// The share of what a path met that is left to it when the surface before might have asked
+    /// for the same, with densities `by_path` and `by_asking`.
+    #[inline]
+    pub(super) fn met_by_chance(&self, by_path: f32, by_asking: f32) -> f32 {
+        match self.rules.integrator {
+            _ if by_asking == 0.0 || by_path == f32::INFINITY => 1.0,
+            Integrator::Naive => 1.0,
+            Integrator::Nee => 0.0,
+            Integrator::Mis => power_heuristic(by_path, by_asking),
+        }
+    }
+
+    /// The same for what was asked for.
+    #[inline]
+    pub(super) fn asked_for(&self, by_asking: f32, by_path: f32) -> f32 {
+        match self.rules.integrator {
+            Integrator::Mis if by_asking < f32::INFINITY => power_heuristic(by_asking, by_path),
+            _ => 1.0,
+        }
+    }
+}
+
+/// The weight of the first of two ways to find the same (Veach & Guibas, "Optimally combining
+/// sampling techniques for Monte Carlo rendering", 1995).
+#[inline]
+fn power_heuristic(this: f32, other: f32) -> f32 {
+    let ratio = other / this;
+    1.0 / (1.0 + ratio * ratio)
+}
+
+impl Shadows {
+    fn clear(&mut self) {
+        self.rays.clear();
+        self.expected.clear();
+    }
+
+    pub(super) fn push(&mut self, ray: Ray, slot: u32, light: Vec3) {
+        self.rays.push(ray);
+        self.expected.push(Expected { slot, light });
+    }
+
+    /// Sends the rays; light with nothing in between arrives.
+    fn arrive(
+        &mut self,
+        accel: &dyn Accel,
+        interval: Interval,
+        counters: &mut Counters,
+        found: &mut [Found],
+    ) {
+        if self.rays.is_empty() {
+            return;
+        }
+        counters.shadow_rays += self.rays.len() as u64;
+        self.blocked.clear();
+        self.blocked.resize(self.rays.len(), false);
+        accel.any_many(&self.rays, interval, &mut self.blocked, counters);
+        for (expected, _) in self.expected.iter().zip(&self.blocked).filter(|(_, blocked)| !**blocked) {
+            found[expected.slot as usize].radiance += expected.light;
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! What happens where a path meets a surface.
+
+use super::{Found, Path, PathTracer, Scratch};
+use crate::Integrator;
+use crate::bsdf::Bsdf;
+use crate::numbers::Use;
+use a1_ray_casting::Mixture;
+use common::counters::Counters;
+use common::geometry::Surface;
+use common::math::Vec3;
+use common::ray::Ray;
+use common::scene::PhongMaterial;
+use std::borrow::Cow;
+
+/// A surface as a path meets it.
+struct Place<'s> {
+    surface: &'s Surface,
+    /// Unit vector to where the path comes from.
+    out: Vec3,
+    /// Normal to shade with, on the side of `out`.
+    normal: Vec3,
+    /// The surface's own normal, on that side.
+    geometric: Vec3,
+    /// Whether that side is the inside of the body.
+    inside: bool,
+}
+
+impl<'s> Place<'s> {
+    fn new(surface: &'s Surface, ray: &Ray) -> Self {
+        let out = -ray.direction;
+        let own = surface.geometric_normal.as_vec3();
+        let inside = surface.geometric_normal.dot(ray.direction.as_dvec3()) > 0.0;
+        let side = if inside { -1.0 } else { 1.0 };
+        Self { surface, out, normal: surface.normal * side, geometric: own * side, inside }
+    }
+}
+
+impl PathTracer<'_> {
+    /// Takes what the surface gives off, asks a light, and goes on.
+    #[expect(clippy::too_many_arguments, reason = "the body of a loop over paths")]
+    pub(super) fn meet(
+        &self,
+        scratch: &mut Scratch,
+        ray: &Ray,
+        mut path: Path,
+        t: f32,
+        surface: &Surface,
+        generation: u32,
+        counters: &mut Counters,
+        found: &mut Found,
+    ) {
+        scratch.tally.surfaces += 1;
+        let place = Place::new(surface, ray);
+        let material = self.material(surface, &path);
+        if place.inside && material.absorption != Vec3::ZERO && material.transparent != Vec3::ZERO {
+            path.throughput *= (material.absorption * -t).exp();
+        }
+        found.radiance += self.emitted(&path, material.emissive, ray, t, surface);
+        let bsdf = match (&material, &self.plain[surface.material as usize]) {
+            (Cow::Borrowed(_), Some(bsdf)) => *bsdf,
+            _ => Bsdf::new(&material),
+        };
+        if generation == 0 {
+            (found.albedo, found.normal, found.depth) = (bsdf.albedo(), place.normal, t);
+        }
+        // The ray after the last surface that may send light on only looks at what shines.
+        if bsdf.is_black() || self.rules.bounces.is_some_and(|most| generation > most) {
+            return;
+        }
+        self.ask(scratch, &place, &path, &bsdf, generation, counters);
+        self.go_on(scratch, &place, path, &bsdf, generation);
+    }
+
+    /// What the surface is made of; where several materials are blended that do not mix to one,
+    /// any of them by chance.
+    fn material(&self, surface: &Surface, path: &Path) -> Cow<'_, PhongMaterial> {
+        if let Some(material) = self.world.plain(surface.material) {
+            return Cow::Borrowed(material);
+        }
+        let parts = match self.world.at(surface) {
+            Mixture::Plain(material) => return Cow::Borrowed(material),
+            Mixture::Blend(parts) => parts,
+        };
+        let _ = path;
+        let mut parts = parts;
+        Cow::Owned(parts.swap_remove(0).material)
+    }
+
+    /// Asks one light.
+    fn ask(
+        &self,
+        scratch: &mut Scratch,
+        place: &Place,
+        path: &Path,
+        bsdf: &Bsdf,
+        generation: u32,
+        counters: &mut Counters,
+    ) {
+        if self.rules.integrator == Integrator::Naive || self.lights.is_empty() {
+            return;
+        }
+        if self.rules.skip_specular && bsdf.is_specular() {
+            scratch.tally.skipped_specular += 1;
+            return;
+        }
+        let uv = self.numbers.pair(&path.stream, &scratch.rows, Use::Light(generation));
+        let offer = self.lights.offer(place.surface.point, place.geometric, uv);
+        let Some(offer) = offer else {
+            counters.skipped_shadow_dark += 1;
+            return;
+        };
+        let into = offer.direction.as_vec3();
+        if self.rules.skip_behind && place.geometric.dot(into) <= 0.0 {
+            counters.skipped_shadow_behind += 1;
+            return;
+        }
+        let value = bsdf.value(place.out, into, place.normal);
+        let light = path.throughput * value.response * offer.light * self.asked_for(offer.pdf, value.pdf);
+        if light == Vec3::ZERO || place.geometric.dot(into) <= 0.0 {
+            counters.skipped_shadow_dark += 1;
+            return;
+        }
+        let start = place.surface.leave(offer.direction);
+        match offer.end {
+            Some(end) => scratch.near.push(Ray::new(start, end - start), path.slot, light),
+            None => scratch.far.push(Ray::new(start, into), path.slot, light),
+        }
+    }
+
+    /// Chooses the way on, unless roulette ends the path.
+    fn go_on(&self, scratch: &mut Scratch, place: &Place, mut path: Path, bsdf: &Bsdf, generation: u32) {
+        let uv = self.numbers.pair(&path.stream, &scratch.rows, Use::Way(generation));
+        let Some(way) = bsdf.sample(place.out, place.normal, place.inside, uv.map(|x| x as f32)) else {
+            return;
+        };
+        // Smooth normals may point the way through a surface that is not to be passed.
+        let same_side = place.geometric.dot(way.direction) > 0.0;
+        if !same_side && way.pdf < f32::INFINITY {
+            return;
+        }
+        path.throughput *= way.weight;
+        let most = path.throughput.max_element();
+        if most <= 0.0 {
+            return;
+        }
+        if generation + 1 >= self.rules.roulette_depth && most < 1.0 {
+            let [u, _] = self.numbers.pair(&path.stream, &scratch.rows, Use::Roulette(generation));
+            if u >= f64::from(most) {
+                scratch.tally.roulette += 1;
+                return;
+            }
+            path.throughput /= most;
+        }
+        path.normal = place.geometric;
+        path.pdf = way.pdf;
+        let start = place.surface.leave(way.direction.as_dvec3());
+        scratch.next_rays.push(Ray::new(start, way.direction));
+        scratch.next_paths.push(path);
+    }
+}
