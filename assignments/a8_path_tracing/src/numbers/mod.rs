@@ -68,6 +68,15 @@ pub struct Stream {
     row: u32,
 }
 
+impl Stream {
+    /// A number in [0, 1) for this sample and generation that has nothing to do with others.
+    pub fn by_itself(&self, generation: u32) -> f64 {
+        let pixel = u64::from(self.pixel.0) << 32 | u64::from(self.pixel.1);
+        let which = u64::from(self.sample) << 32 | u64::from(generation);
+        units(hash(self.key.wrapping_add(1), pixel, which))[0]
+    }
+}
+
 impl Numbers {
     /// The numbers of a pattern, for so many samples in each pixel of a picture whose sides have
     /// at most `side` pixels.

@@ -110,6 +110,8 @@ struct Path {
     normal: Vec3,
     /// Density of its direction per steradian; infinite if no light could have been asked instead.
     pdf: f32,
+    /// Share of light that the surfaces so far have sent on, since roulette was played.
+    left: f32,
 }
 
 /// Light on its way to a surface, if nothing is in between.
@@ -218,6 +220,7 @@ impl<'a> PathTracer<'a> {
                     stream,
                     normal: Vec3::ZERO,
                     pdf: f32::INFINITY,
+                    left: 1.0,
                 });
                 slot += 1;
             }

@@ -51,7 +51,7 @@ impl PathTracer<'_> {
     ) {
         scratch.tally.surfaces += 1;
         let place = Place::new(surface, ray);
-        let material = self.material(surface, &path);
+        let material = self.material(surface, &path, generation);
         if place.inside && material.absorption != Vec3::ZERO && material.transparent != Vec3::ZERO {
             path.throughput *= (material.absorption * -t).exp();
         }
@@ -71,19 +71,23 @@ impl PathTracer<'_> {
         self.go_on(scratch, &place, path, &bsdf, generation);
     }
 
-    /// What the surface is made of; where several materials are blended that do not mix to one,
-    /// any of them by chance.
-    fn material(&self, surface: &Surface, path: &Path) -> Cow<'_, PhongMaterial> {
+    /// What the surface is made of. Where several materials are blended, one of them by chance: as
+    /// each lobe of a blend counts by the share of its material, so does each material.
+    fn material(&self, surface: &Surface, path: &Path, generation: u32) -> Cow<'_, PhongMaterial> {
         if let Some(material) = self.world.plain(surface.material) {
             return Cow::Borrowed(material);
         }
-        let parts = match self.world.at(surface) {
+        let mut parts = match self.world.at(surface) {
             Mixture::Plain(material) => return Cow::Borrowed(material),
             Mixture::Blend(parts) => parts,
         };
-        let _ = path;
-        let mut parts = parts;
-        Cow::Owned(parts.swap_remove(0).material)
+        let mut u = path.stream.by_itself(generation);
+        let last = parts.len() - 1;
+        let chosen = parts.iter().position(|part| {
+            u -= f64::from(part.weight);
+            u < 0.0
+        });
+        Cow::Owned(parts.swap_remove(chosen.unwrap_or(last)).material)
     }
 
     /// Asks one light.
@@ -139,22 +143,38 @@ impl PathTracer<'_> {
             return;
         }
         path.throughput *= way.weight;
-        let most = path.throughput.max_element();
-        if most <= 0.0 {
+        if path.throughput.max_element() <= 0.0 {
             return;
         }
-        if generation + 1 >= self.rules.roulette_depth && most < 1.0 {
-            let [u, _] = self.numbers.pair(&path.stream, &scratch.rows, Use::Roulette(generation));
-            if u >= f64::from(most) {
-                scratch.tally.roulette += 1;
-                return;
-            }
-            path.throughput /= most;
+        if !self.survives(scratch, &mut path, bsdf, generation) {
+            scratch.tally.roulette += 1;
+            return;
         }
         path.normal = place.geometric;
         path.pdf = way.pdf;
         let start = place.surface.leave(way.direction.as_dvec3());
         scratch.next_rays.push(Ray::new(start, way.direction));
         scratch.next_paths.push(path);
+    }
+
+    /// Roulette: paths on which little light is left go on more rarely, and count more if they do.
+    /// What is left is judged by what surfaces send on in all, not in the direction that was
+    /// chosen, else paths that were sent where light is rare would be ended for it. Mirrors and
+    /// glass let all pass: what comes after them may be bright.
+    fn survives(&self, scratch: &Scratch, path: &mut Path, bsdf: &Bsdf, generation: u32) -> bool {
+        if bsdf.is_specular() {
+            return true;
+        }
+        path.left *= bsdf.albedo().max_element();
+        if generation + 1 < self.rules.roulette_depth || path.left >= 1.0 {
+            return true;
+        }
+        let [u, _] = self.numbers.pair(&path.stream, &scratch.rows, Use::Roulette(generation));
+        if u >= f64::from(path.left) {
+            return false;
+        }
+        path.throughput /= path.left;
+        path.left = 1.0;
+        true
     }
 }

@@ -35,6 +35,12 @@ pub struct Options {
     /// Surfaces before roulette
     #[arg(long, default_value_t = 2)]
     rr_depth: u32,
+    /// What finds hits, as for a6_kdtree
+    #[arg(long, default_value = "auto")]
+    accel: String,
+    /// Writes the last picture
+    #[arg(long, value_name = "PICTURE")]
+    write: Option<PathBuf>,
     /// Independent pictures
     #[arg(long, default_value_t = 1)]
     seeds: u64,
@@ -47,7 +53,7 @@ pub struct Options {
 pub fn run(options: &Options) -> Result<(), AppError> {
     let truth = reference::load(&options.reference)?;
     let size: Size = truth.size();
-    let subject = Subject::open(&options.scene, size)?;
+    let subject = Subject::open(&options.scene, size, &options.accel)?;
     cli::say(&format!("{}: {size}", subject.name));
     cli::say(
         "integrator sampler    spp     cpu s  Mpaths/s  rays/path      RMSE   RMSE*sqrt(s)  sqrt(relMSE*s)  mean",
@@ -65,10 +71,15 @@ pub fn run(options: &Options) -> Result<(), AppError> {
                         };
                         let ((film, counters, tally), span) =
                             clock::time(|| subject.picture(world, accel, (pattern, seed), rules, spp))?;
+                        if let Some(file) = &options.write {
+                            common::picture::write(file, &film, common::picture::Transfer::Linear)?;
+                        }
                         let seconds = span.cpu / 1e3;
                         let (rmse, relative) = errors(&film, &truth);
                         let mean = film.pixels().iter().sum::<common::math::Vec3>() / film.pixels().len() as f32;
                         let rays = (counters.rays + counters.shadow_rays) as f64 / tally.paths as f64;
+                        let per_ray = |n: u64| n as f64 / (counters.rays + counters.shadow_rays) as f64;
+                        eprintln!("exact {:.2} cells {:.2} tests {:.2}", per_ray(counters.exact_tests), per_ray(counters.cells), per_ray(counters.intersections));
                         cli::say(&format!(
                             "{:<10} {:<9} {spp:>5} {seconds:>9.2} {:>9.3} {rays:>9.2} {rmse:>10.5} {:>13.4} {:>13.4}   {:.5} {:.5} {:.5}",
                             format!("{integrator:?}"),

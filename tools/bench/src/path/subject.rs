@@ -33,10 +33,10 @@ impl Subject {
     ///
     /// # Errors
     /// If it is none.
-    pub fn open(file: &Path, size: Size) -> Result<Self, AppError> {
+    pub fn open(file: &Path, size: Size, accel: &str) -> Result<Self, AppError> {
         let (width, height) = (size.width().to_string(), size.height().to_string());
         let input = file.display().to_string();
-        let words = ["path", "--input", &input, "--size", &width, &height];
+        let words = ["path", "--input", &input, "--size", &width, &height, "--accel", accel];
         let args = Program::try_parse_from(words).map_err(|e| AppError::Usage(e.to_string()))?;
         let (studio, _) = Studio::open_textured(args.args.sampling.cast(), &[])?;
         let name = file.file_stem().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
