@@ -4,6 +4,7 @@ use super::checkpoint::Checkpoint;
 use super::{Frame, Sums};
 use common::tiles::Tile;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// A part of a rendering and the name of its file.
 pub struct Part {
@@ -66,8 +67,7 @@ fn join_samples(mut parts: Vec<Part>) -> Result<(String, Sums), JoinError> {
         let (more, end) = (part.checkpoint.sums, sums.samples.end);
         let start = more.samples.start;
         if start > end {
-            let at = at(sums.frame);
-            return refused(format!("samples {end} to {}{at} are in none of the files", start - 1));
+            return refused(missing_samples(end..start, sums.frame));
         }
         if start < end {
             let last = end.min(more.samples.end).max(start + 1) - 1;
@@ -79,9 +79,9 @@ fn join_samples(mut parts: Vec<Part>) -> Result<(String, Sums), JoinError> {
     Ok((name, sums))
 }
 
-/// Which part, if it is not the whole.
-fn at(frame: Frame) -> String {
-    if frame.is_whole() { String::new() } else { format!(" of pixels {}", corners(frame.crop)) }
+fn missing_samples(samples: Range<u32>, frame: Frame) -> String {
+    let crop = if frame.is_whole() { String::new() } else { format!(" of pixels {}", corners(frame.crop)) };
+    format!("samples {} to {}{crop} are in none of the files", samples.start, samples.end - 1)
 }
 
 /// As `-crop` takes them.
@@ -99,15 +99,14 @@ fn add(sums: &mut Sums, more: &Sums) {
 
 /// Lays parts side by side.
 fn join_crops(crops: Vec<(String, Sums)>) -> Result<Sums, JoinError> {
-    let (first_name, first) = &crops[0];
+    let first = &crops[0].1;
+    let start = crops.iter().map(|(_, sums)| sums.samples.start).min().unwrap_or_default();
+    let end = crops.iter().map(|(_, sums)| sums.samples.end).max().unwrap_or_default();
     for (i, (name, sums)) in crops.iter().enumerate() {
-        if sums.samples != first.samples {
-            let (a, b) = (&first.samples, &sums.samples);
-            return refused(format!(
-                "'{first_name}' ends a part with samples {} to {}, but '{name}' one with {} to {} \
-                 (upper bounds excluded)",
-                a.start, a.end, b.start, b.end
-            ));
+        let Range { start: from, end: to } = sums.samples;
+        if (from, to) != (start, end) {
+            let missing = if from > start { start..from } else { to..end };
+            return refused(missing_samples(missing, sums.frame));
         }
         let overlaps = |(_, other): &&(String, Sums)| overlap(other.frame.crop, sums.frame.crop);
         if let Some((other, _)) = crops[..i].iter().find(overlaps) {

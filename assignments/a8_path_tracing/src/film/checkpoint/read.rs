@@ -117,7 +117,7 @@ fn header(reader: &mut Reader) -> Result<Header, Fault> {
     let Some(layout) = Layout::of_bits(reader.u32()?) else {
         return Reader::fault(at, "what is kept of a pixel is not known");
     };
-    let surveyed = reader.u32()?;
+    let (looked_at, surveyed) = (reader.at, reader.u32()?);
     let at = reader.at;
     let facts = reader.u32()?;
     if facts > MOST_FACTS {
@@ -130,7 +130,7 @@ fn header(reader: &mut Reader) -> Result<Header, Fault> {
     }
     let done = samples.end - samples.start;
     if surveyed > done || dropped > frame.crop.area() as u64 * u64::from(done) {
-        return Reader::fault(at, "there are fewer samples than were looked at");
+        return Reader::fault(looked_at, "there are fewer samples than were looked at");
     }
     Ok(Header { frame, layout, samples, surveyed, dropped, identity })
 }
