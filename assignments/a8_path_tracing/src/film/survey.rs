@@ -3,7 +3,8 @@
 //! When a pixel has 2ᵐ samples, its first and its second half are two estimates, each from a
 //! whole piece of a low-discrepancy sequence, as odd and even samples would not be. Half their
 //! difference is about the error of their mean. One difference may be small by chance, so those
-//! of the 5 × 5 pixels around are taken together.
+//! of the 5 × 5 pixels around are taken together. A neighbour that was stopped earlier counts with
+//! the error that it would have with as many samples.
 //!
 //! Errors are relative, as relMSE has them: squared error over squared brightness plus 0.01. So a
 //! white wall and a grey one are equally good if equally grainy, and what is black on any screen
@@ -41,7 +42,10 @@ impl Sums {
 
     /// Active pixels whose surroundings have at most this squared error.
     fn good_pixels(&self, most: f64) -> Vec<usize> {
-        let errors: Vec<f64> = (0..self.taken.len()).map(|number| self.squared_error(number)).collect();
+        // Squared errors fall at least as the number of samples grows.
+        let of_one_sample = |number: usize| self.squared_error(number) * f64::from(self.taken[number]);
+        let errors: Vec<f64> = (0..self.taken.len()).map(of_one_sample).collect();
+        let most = most * f64::from(self.done());
         (0..errors.len())
             .filter(|number| !self.stopped[*number] && self.around(&errors, *number) <= most)
             .collect()
