@@ -27,6 +27,10 @@ pub struct Counters {
     pub skipped_black_secondary: u64,
     /// Mirrored and refracted rays dropped by the cut-off weight.
     pub skipped_below_weight: u64,
+    /// Surfaces for which no light was chosen because they are mirrors or glass only.
+    pub skipped_light_specular: u64,
+    /// Paths ended by roulette.
+    pub ended_by_roulette: u64,
     /// Camera rays not traced because their tile cannot see any object.
     pub skipped_empty_tile: u64,
 }
@@ -51,6 +55,8 @@ impl AddAssign for Counters {
         self.skipped_shadow_inside += other.skipped_shadow_inside;
         self.skipped_black_secondary += other.skipped_black_secondary;
         self.skipped_below_weight += other.skipped_below_weight;
+        self.skipped_light_specular += other.skipped_light_specular;
+        self.ended_by_roulette += other.ended_by_roulette;
         self.skipped_empty_tile += other.skipped_empty_tile;
     }
 }

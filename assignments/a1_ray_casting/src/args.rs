@@ -44,6 +44,10 @@ pub struct CastArgs {
     #[arg(skip)]
     pub further_outputs: Vec<PathBuf>,
 
+    /// Files that a later step writes and that are no pictures; set by its program too.
+    #[arg(skip)]
+    pub further_files: Vec<PathBuf>,
+
     /// Flags of every program.
     #[command(flatten)]
     pub general: GeneralArgs,
@@ -79,7 +83,7 @@ impl CastArgs {
     /// # Errors
     /// If neither a picture nor the statistics are asked for.
     pub fn refuse_idleness(&self, outputs: &[&Path], flags: &str) -> Result<(), AppError> {
-        if outputs.is_empty() && !self.general.program.stats {
+        if outputs.is_empty() && self.further_files.is_empty() && !self.general.program.stats {
             return Err(AppError::Usage(format!("nothing to do: give {flags} or -stats")));
         }
         Ok(())

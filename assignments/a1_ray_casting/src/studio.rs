@@ -3,7 +3,7 @@
 use crate::{CastArgs, Layer, Report, Sight};
 use clap::ValueEnum;
 use common::accel::Accel;
-use common::atomic::place;
+use common::atomic::{self, place};
 use common::camera::{Camera, screen_position};
 use common::cli::{self, AppError, SimdChoice, Skip};
 use common::counters::Counters;
@@ -232,10 +232,14 @@ fn choose_instructions(args: &CastArgs) -> Result<(), AppError> {
 
 fn check_outputs(args: &CastArgs, outputs: &[&Path], size: Size) -> Result<(), AppError> {
     let scene = place(&args.input);
-    let places: Vec<PathBuf> = outputs.iter().map(|path| place(path)).collect();
-    for (i, path) in outputs.iter().enumerate() {
+    let files = args.further_files.iter().map(PathBuf::as_path);
+    let all: Vec<&Path> = outputs.iter().copied().chain(files).collect();
+    let places: Vec<PathBuf> = all.iter().map(|path| place(path)).collect();
+    for (i, path) in all.iter().enumerate() {
+        let is_picture = i < outputs.len();
         if places[..i].contains(&places[i]) {
-            return Err(AppError::Usage(format!("two pictures would be written to {}", path.display())));
+            let what = if is_picture { "pictures" } else { "files" };
+            return Err(AppError::Usage(format!("two {what} would be written to {}", path.display())));
         }
         if places[i] == scene {
             return Err(AppError::Usage(format!(
@@ -243,7 +247,11 @@ fn check_outputs(args: &CastArgs, outputs: &[&Path], size: Size) -> Result<(), A
                 path.display()
             )));
         }
-        check_output(path, size)?;
+        if is_picture {
+            check_output(path, size)?;
+        } else {
+            atomic::check(path)?;
+        }
     }
     Ok(())
 }

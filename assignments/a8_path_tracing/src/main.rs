@@ -1,8 +1,14 @@
 //! Assignment 8 as a program.
 
+use a8_path_tracing::{Program, merge, run};
+use common::cli;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let program: a8_path_tracing::Program = common::cli::parse();
-    common::cli::run(|| a8_path_tracing::run(&program.args))
+    if merge::is_wanted(std::env::args_os()) {
+        let program: merge::Program = cli::parse();
+        return cli::run(|| merge::run(&program.args));
+    }
+    let program: Program = cli::parse();
+    cli::run(|| run(&program.args))
 }

@@ -102,4 +102,6 @@ pub enum Skip {
     Inside,
     /// Mirrored and refracted rays of black weight
     Black,
+    /// Lights chosen for mirrors and glass, which send nothing on between two given directions
+    Specular,
 }

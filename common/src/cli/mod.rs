@@ -42,6 +42,7 @@
 mod app;
 mod dashes;
 mod general;
+pub mod interrupt;
 mod numbers;
 mod output;
 mod parse;

@@ -36,7 +36,12 @@ impl<'a> Progress<'a> {
 
     /// Counts one step.
     pub fn step(&self) {
-        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        self.advance(1);
+    }
+
+    /// Counts several steps.
+    pub fn advance(&self, steps: usize) {
+        let done = self.done.fetch_add(steps, Ordering::Relaxed) + steps;
         if let Some(label) = self.label
             && self.started.elapsed() > PATIENCE
         {

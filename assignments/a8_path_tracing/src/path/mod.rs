@@ -19,7 +19,7 @@ use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::Vec3;
 use common::ray::Ray;
-use std::ops::{AddAssign, Range};
+use std::ops::Range;
 
 /// How light is looked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -75,28 +75,6 @@ pub struct Found {
     pub depth: f32,
 }
 
-/// What paths have done, beside what [`Counters`] count.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tally {
-    /// Paths begun.
-    pub paths: u64,
-    /// Surfaces met.
-    pub surfaces: u64,
-    /// Surfaces that were mirrors or glass, and asked no light.
-    pub skipped_specular: u64,
-    /// Paths ended by roulette.
-    pub roulette: u64,
-}
-
-impl AddAssign for Tally {
-    fn add_assign(&mut self, other: Self) {
-        self.paths += other.paths;
-        self.surfaces += other.surfaces;
-        self.skipped_specular += other.skipped_specular;
-        self.roulette += other.roulette;
-    }
-}
-
 /// A path on its way.
 #[derive(Clone, Copy, Debug)]
 struct Path {
@@ -142,8 +120,6 @@ pub struct Scratch {
     near: Shadows,
     /// To lights infinitely far away.
     far: Shadows,
-    /// What was done.
-    pub tally: Tally,
 }
 
 /// Follows paths through a scene.
@@ -196,7 +172,6 @@ impl<'a> PathTracer<'a> {
         assert_eq!(found.len(), pixels.len() * samples.len());
         found.fill(Found::default());
         self.begin(scratch, pixels, samples);
-        scratch.tally.paths += found.len() as u64;
         let mut generation = 0;
         while !scratch.rays.is_empty() {
             self.advance(scratch, generation, counters, found);

@@ -49,7 +49,6 @@ impl PathTracer<'_> {
         counters: &mut Counters,
         found: &mut Found,
     ) {
-        scratch.tally.surfaces += 1;
         let place = Place::new(surface, ray);
         let material = self.material(surface, &path, generation);
         if place.inside && material.absorption != Vec3::ZERO && material.transparent != Vec3::ZERO {
@@ -68,7 +67,7 @@ impl PathTracer<'_> {
             return;
         }
         self.ask(scratch, &place, &path, &bsdf, generation, counters);
-        self.go_on(scratch, &place, path, &bsdf, generation);
+        self.go_on(scratch, &place, path, &bsdf, generation, counters);
     }
 
     /// What the surface is made of. Where several materials are blended, one of them by chance: as
@@ -104,7 +103,7 @@ impl PathTracer<'_> {
             return;
         }
         if self.rules.skip_specular && bsdf.is_specular() {
-            scratch.tally.skipped_specular += 1;
+            counters.skipped_light_specular += 1;
             return;
         }
         let uv = self.numbers.pair(&path.stream, &scratch.rows, Use::Light(generation));
@@ -132,7 +131,15 @@ impl PathTracer<'_> {
     }
 
     /// Chooses the way on, unless roulette ends the path.
-    fn go_on(&self, scratch: &mut Scratch, place: &Place, mut path: Path, bsdf: &Bsdf, generation: u32) {
+    fn go_on(
+        &self,
+        scratch: &mut Scratch,
+        place: &Place,
+        mut path: Path,
+        bsdf: &Bsdf,
+        generation: u32,
+        counters: &mut Counters,
+    ) {
         let uv = self.numbers.pair(&path.stream, &scratch.rows, Use::Way(generation));
         let Some(way) = bsdf.sample(place.out, place.normal, place.inside, uv.map(|x| x as f32)) else {
             return;
@@ -147,7 +154,7 @@ impl PathTracer<'_> {
             return;
         }
         if !self.survives(scratch, &mut path, bsdf, generation) {
-            scratch.tally.roulette += 1;
+            counters.ended_by_roulette += 1;
             return;
         }
         path.normal = place.geometric;

@@ -69,22 +69,23 @@ pub fn run(options: &Options) -> Result<(), AppError> {
                             roulette_depth: options.rr_depth,
                             ..Rules::default()
                         };
-                        let ((film, counters, tally), span) =
+                        let ((film, counters), span) =
                             clock::time(|| subject.picture(world, accel, (pattern, seed), rules, spp))?;
                         if let Some(file) = &options.write {
                             common::picture::write(file, &film, common::picture::Transfer::Linear)?;
                         }
+                        let paths = size.pixels() as f64 * f64::from(spp);
                         let seconds = span.cpu / 1e3;
                         let (rmse, relative) = errors(&film, &truth);
                         let mean = film.pixels().iter().sum::<common::math::Vec3>() / film.pixels().len() as f32;
-                        let rays = (counters.rays + counters.shadow_rays) as f64 / tally.paths as f64;
+                        let rays = (counters.rays + counters.shadow_rays) as f64 / paths;
                         let per_ray = |n: u64| n as f64 / (counters.rays + counters.shadow_rays) as f64;
                         eprintln!("exact {:.2} cells {:.2} tests {:.2}", per_ray(counters.exact_tests), per_ray(counters.cells), per_ray(counters.intersections));
                         cli::say(&format!(
                             "{:<10} {:<9} {spp:>5} {seconds:>9.2} {:>9.3} {rays:>9.2} {rmse:>10.5} {:>13.4} {:>13.4}   {:.5} {:.5} {:.5}",
                             format!("{integrator:?}"),
                             format!("{pattern:?}"),
-                            tally.paths as f64 / seconds / 1e6,
+                            paths / seconds / 1e6,
                             rmse * seconds.sqrt(),
                             (relative * seconds).sqrt(),
                             mean.x,

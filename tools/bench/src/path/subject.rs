@@ -59,7 +59,7 @@ impl Subject {
         (pattern, seed): (Pattern, u64),
         rules: Rules,
         samples: u32,
-    ) -> (Film, Counters, a8_path_tracing::Tally) {
+    ) -> (Film, Counters) {
         let size = self.studio.size;
         let lights = Lights::new(&self.studio.geometry, world, None);
         let numbers = Numbers::new(pattern, samples, size.width().max(size.height()), seed);
@@ -91,6 +91,6 @@ impl Subject {
                 }
             }
         }
-        (film, counters, scratch.tally)
+        (film, counters)
     }
 }

@@ -1,0 +1,50 @@
+//! Fixed-point numbers: their sums are exact, so the order of adding cannot matter.
+
+/// Bits behind the point. What is cut off a sample, less than 2⁻⁶⁴, is the same wherever the
+/// sample is added.
+pub const FRACTION_BITS: u32 = 64;
+
+/// Largest magnitude of a sample; what is beyond is taken for it. 2³¹ samples of this size, which
+/// are the most there can be, add up to less than an `i128` holds.
+pub const LIMIT: f32 = 2_147_483_648.0;
+
+/// 1 as a fixed-point number.
+const ONE: f64 = (1u128 << FRACTION_BITS) as f64;
+
+/// A sample as a fixed-point number; `None` for NaN and infinities.
+#[inline]
+pub fn from_f32(sample: f32) -> Option<i128> {
+    // The product only changes the exponent: nothing is rounded before the conversion cuts off.
+    sample.is_finite().then(|| (f64::from(sample.clamp(-LIMIT, LIMIT)) * ONE) as i128)
+}
+
+/// The mean of `count` samples with this sum; 0 if there are none.
+#[inline]
+pub fn mean(sum: i128, count: u32) -> f64 {
+    if count == 0 { 0.0 } else { sum as f64 / (f64::from(count) * ONE) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finite_samples_survive_and_the_rest_is_told_apart() {
+        for x in [0.0, 1.0, -1.0, 0.1, 1e-6, 3.4567e5, LIMIT, -LIMIT, 2.0f32.powi(-40)] {
+            assert_eq!(mean(from_f32(x).unwrap(), 1) as f32, x);
+        }
+        assert_eq!(from_f32(f32::MAX), from_f32(LIMIT));
+        assert_eq!(from_f32(f32::MIN), from_f32(-LIMIT));
+        assert_eq!(from_f32(f32::MIN_POSITIVE), Some(0));
+        for x in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+            assert_eq!(from_f32(x), None);
+        }
+        assert_eq!(mean(7, 0), 0.0);
+    }
+
+    #[test]
+    fn the_most_and_largest_samples_do_not_overflow() {
+        let largest = from_f32(LIMIT).unwrap();
+        assert!(largest.checked_mul(i128::from(super::super::MAX_SAMPLES)).is_some());
+    }
+}

@@ -1,0 +1,67 @@
+//! A number for a scene: two scenes of one number are the same, beyond reasonable doubt.
+
+use crate::film::checkpoint::checksum;
+use a7_sampling::sampler::hash::mix;
+use common::mesh::Mesh;
+use common::scene::{Material, Scene};
+use std::fmt::Debug;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A number for all that a scene says, with its meshes and pictures; where their files lie does
+/// not matter, where things stand in the scene's own file does.
+///
+/// # Errors
+/// If a picture can no longer be read.
+pub fn fingerprint(scene: &Scene) -> io::Result<u64> {
+    let mut sum = Sum(0);
+    sum.add_text(&scene.camera);
+    sum.add_text(&(scene.background.color, scene.background.ambient_light));
+    sum.add_file(scene.background.environment.as_deref())?;
+    sum.add_text(&scene.lights);
+    for material in &scene.materials {
+        let mut material = material.clone();
+        if let Material::Phong(phong) = &mut material
+            && let Some(image) = &mut phong.image
+        {
+            sum.add_file(Some(&std::mem::replace(&mut image.file, PathBuf::new())))?;
+        }
+        sum.add_text(&material);
+    }
+    sum.add_text(&scene.nodes);
+    scene.meshes.iter().for_each(|mesh| sum.add_mesh(mesh));
+    Ok(sum.0)
+}
+
+/// What has been added so far.
+struct Sum(u64);
+
+impl Sum {
+    fn add_bytes(&mut self, bytes: &[u8]) {
+        self.0 = mix(self.0.rotate_left(1) ^ checksum(bytes));
+    }
+
+    /// Numbers are shown with as many digits as they need, so different values differ.
+    fn add_text(&mut self, value: &impl Debug) {
+        self.add_bytes(format!("{value:?}").as_bytes());
+    }
+
+    fn add_file(&mut self, path: Option<&Path>) -> io::Result<()> {
+        match path {
+            Some(path) => self.add_bytes(&fs::read(path)?),
+            None => self.add_bytes(&[]),
+        }
+        Ok(())
+    }
+
+    fn add_mesh(&mut self, mesh: &Mesh) {
+        let spatial = mesh.positions.iter().chain(&mesh.normals).flat_map(|v| v.to_array());
+        let flat = mesh.uvs.iter().flat_map(|uv| uv.to_array());
+        let numbers: Vec<u8> = spatial.chain(flat).flat_map(f32::to_le_bytes).collect();
+        let corners: Vec<u8> = mesh.triangles.iter().flatten().flat_map(|i| i.to_le_bytes()).collect();
+        self.add_bytes(&numbers);
+        self.add_bytes(&corners);
+        self.add_text(&[mesh.positions.len(), mesh.normals.len(), mesh.uvs.len()]);
+    }
+}
