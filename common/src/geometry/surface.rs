@@ -3,7 +3,7 @@
 use super::{Geometry, Hit, RunKind, SolidShape, facing};
 use crate::math::{DVec3, UNIT_ROUNDOFF, Vec3, sum3};
 use crate::ray::Ray;
-use crate::shape::{plane, sphere, triangle};
+use crate::shape::{plane, sphere};
 
 /// A point of a surface with what shading and secondary rays need.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,10 +85,22 @@ fn error_bound(p: DVec3, scale: f64) -> DVec3 {
 
 /// Barycentric weights of a point that keeps a distance of 2⁻¹⁹·`scale` from the triangle's
 /// edges (less if the triangle is thinner than a few of those). A ray that leaves the very edge
-/// between two walls of a room would start, by rounding, behind one of them.
-fn off_the_border(weights: [f64; 3], [a, b, c]: &[DVec3; 3], scale: f64) -> [f64; 3] {
-    let edges = [*c - *b, *a - *c, *b - *a];
-    let margin = 32.0 * UNIT_ROUNDOFF * scale / edges[0].cross(edges[1]).length();
+/// between two walls of a room would start, by rounding, behind one of them. `doubled` is twice
+/// the triangle's area.
+#[inline]
+fn off_the_border(weights: [f64; 3], edges: &[DVec3; 3], doubled: f64, scale: f64) -> [f64; 3] {
+    let margin = 32.0 * UNIT_ROUNDOFF * scale;
+    // Most points are so far inside that no edge need be measured; 1.001 is for the rounding.
+    let taxi = edges.iter().map(|e| e.abs().element_sum()).fold(0.0, f64::max);
+    let least = weights[0].min(weights[1]).min(weights[2]);
+    if least * doubled > margin * taxi * 1.001 {
+        return weights;
+    }
+    near_the_border(weights, edges, margin / doubled)
+}
+
+#[cold]
+fn near_the_border(weights: [f64; 3], edges: &[DVec3; 3], margin: f64) -> [f64; 3] {
     // The weight at that distance; NaN (no area) is no floor.
     let floor = edges.map(|edge| (margin * edge.length()).min(0.2));
     if weights.iter().zip(floor).all(|(w, f)| *w >= f) {
@@ -136,8 +148,11 @@ impl Geometry {
         let [a, b, c] = vertices.map(|v| v.as_dvec3());
         let (u, v) = (f64::from(hit.u), f64::from(hit.v));
         let scale = a.abs().max(b.abs()).max(c.abs()).max_element();
-        let [l0, l1, l2] = off_the_border([1.0 - u - v, u, v], &[a, b, c], scale);
-        (a * l0 + b * l1 + c * l2, triangle::normal(vertices), scale)
+        let edges = [c - b, a - c, b - a];
+        let across = edges[2].cross(c - a);
+        let weights = [1.0 - u - v, u, v];
+        let [l0, l1, l2] = off_the_border(weights, &edges, across.length(), scale);
+        (a * l0 + b * l1 + c * l2, across.normalize_or_zero(), scale)
     }
 
     fn solid_point(&self, index: usize, near: DVec3) -> (DVec3, DVec3, f64) {

@@ -6,7 +6,7 @@ use crate::bsdf::Bsdf;
 use crate::numbers::Use;
 use a1_ray_casting::Mixture;
 use common::counters::Counters;
-use common::geometry::Surface;
+use common::geometry::{Departure, Surface};
 use common::math::Vec3;
 use common::ray::Ray;
 use common::scene::PhongMaterial;
@@ -23,6 +23,8 @@ struct Place<'s> {
     geometric: Vec3,
     /// Whether that side is the inside of the body.
     inside: bool,
+    /// Where rays start.
+    departure: Departure,
 }
 
 impl<'s> Place<'s> {
@@ -31,7 +33,14 @@ impl<'s> Place<'s> {
         let own = surface.geometric_normal.as_vec3();
         let inside = surface.geometric_normal.dot(ray.direction.as_dvec3()) > 0.0;
         let side = if inside { -1.0 } else { 1.0 };
-        Self { surface, out, normal: surface.normal * side, geometric: own * side, inside }
+        Self {
+            surface,
+            out,
+            normal: surface.normal * side,
+            geometric: own * side,
+            inside,
+            departure: surface.departure(),
+        }
     }
 }
 
@@ -123,7 +132,7 @@ impl PathTracer<'_> {
             counters.skipped_shadow_dark += 1;
             return;
         }
-        let start = place.surface.leave(offer.direction);
+        let start = place.departure.towards(offer.direction);
         match offer.end {
             Some(end) => scratch.near.push(Ray::new(start, end - start), path.slot, light),
             None => scratch.far.push(Ray::new(start, into), path.slot, light),
@@ -159,7 +168,7 @@ impl PathTracer<'_> {
         }
         path.normal = place.geometric;
         path.pdf = way.pdf;
-        let start = place.surface.leave(way.direction.as_dvec3());
+        let start = place.departure.towards(way.direction.as_dvec3());
         scratch.next_rays.push(Ray::new(start, way.direction));
         scratch.next_paths.push(path);
     }
