@@ -71,10 +71,24 @@ impl Layout {
         (if self.halves { 6 } else { 3 }) + kept.map(|aov| aov.len()).sum::<usize>()
     }
 
-    /// Adds a sample to a pixel's numbers. Returns false if one of its numbers was none and
+    /// Adds samples to a pixel's numbers. Returns how many of them had a number that was none and
     /// counted as 0.
     #[inline]
-    pub fn add(self, sums: &mut [i128], found: &Found) -> bool {
+    pub fn add(self, sums: &mut [i128], found: &[Found]) -> u64 {
+        let mut bad = 0;
+        if self.aovs == [false; 3] {
+            let mut radiance = [0; 3];
+            found.iter().for_each(|found| bad += u64::from(!add_color(&mut radiance, found.radiance)));
+            sums.iter_mut().zip(radiance).for_each(|(sum, more)| *sum += more);
+        } else {
+            found.iter().for_each(|found| bad += u64::from(!self.add_one(sums, found)));
+        }
+        bad
+    }
+
+    /// Adds a sample; false if one of its numbers is none.
+    #[inline]
+    fn add_one(self, sums: &mut [i128], found: &Found) -> bool {
         let mut good = add_color(&mut sums[Self::RADIANCE..][..3], found.radiance);
         if let Some(place) = self.place(Aov::Albedo) {
             good &= add_color(&mut sums[place..][..3], found.albedo);
@@ -137,7 +151,7 @@ mod tests {
         let mut sums = vec![0; layout.stride()];
         let radiance = Vec3::new(1.0, f32::NAN, 1.0);
         let found = Found { radiance, albedo: Vec3::ONE, normal: Vec3::X, depth: f32::INFINITY };
-        assert!(!layout.add(&mut sums, &found));
+        assert_eq!(layout.add(&mut sums, &[found]), 1);
         let one = super::super::fixed::from_f32(1.0).unwrap();
         assert_eq!(sums, [0, 0, 0, one, one, one, 0]);
     }
