@@ -14,9 +14,12 @@ const ONE: f64 = (1u128 << FRACTION_BITS) as f64;
 /// A sample as a fixed-point number; `None` for NaN and infinities.
 #[inline]
 pub fn from_f32(sample: f32) -> Option<i128> {
-    if !sample.is_finite() {
-        return None;
-    }
+    sample.is_finite().then(|| from_finite(sample))
+}
+
+/// A finite sample as a fixed-point number; what comes of others means nothing.
+#[inline]
+pub fn from_finite(sample: f32) -> i128 {
     // Done with bits, without a branch: three of these stand behind every path. LIMIT has the
     // exponent 158 and would be shifted by nothing; smaller numbers are by what they are smaller.
     let bits = sample.clamp(-LIMIT, LIMIT).to_bits();
@@ -24,7 +27,8 @@ pub fn from_f32(sample: f32) -> Option<i128> {
     // Numbers below the normal ones get a leading bit too many; it is shifted out all the same.
     let digits = u128::from(bits & 0x7f_ffff | 0x80_0000) << (FRACTION_BITS + 31 - 23);
     let magnitude = (digits >> (158 - exponent).min(127)) as i128;
-    Some(if sample.is_sign_negative() { -magnitude } else { magnitude })
+    let sign = -i128::from(bits >> 31);
+    (magnitude ^ sign) - sign
 }
 
 /// The mean of `count` samples with this sum; 0 if there are none.

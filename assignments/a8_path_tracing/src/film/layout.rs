@@ -1,5 +1,6 @@
 //! Which numbers are kept for a pixel.
 
+use super::fixed;
 use crate::path::Found;
 use common::math::Vec3;
 
@@ -97,7 +98,7 @@ impl Layout {
             good &= add_color(&mut sums[place..][..3], found.normal);
         }
         if let Some(place) = self.place(Aov::Depth) {
-            let depth = super::fixed::from_f32(found.depth);
+            let depth = fixed::from_f32(found.depth);
             sums[place] += depth.unwrap_or(0);
             good &= depth.is_some();
         }
@@ -120,11 +121,12 @@ impl Layout {
 /// Adds all three channels, or none of them if one is no number.
 #[inline]
 fn add_color(sums: &mut [i128], color: Vec3) -> bool {
-    let channels = color.to_array().map(super::fixed::from_f32);
-    let [Some(r), Some(g), Some(b)] = channels else { return false };
-    sums[0] += r;
-    sums[1] += g;
-    sums[2] += b;
+    if !color.is_finite() {
+        return false;
+    }
+    sums[0] += fixed::from_finite(color.x);
+    sums[1] += fixed::from_finite(color.y);
+    sums[2] += fixed::from_finite(color.z);
     true
 }
 
@@ -152,7 +154,7 @@ mod tests {
         let radiance = Vec3::new(1.0, f32::NAN, 1.0);
         let found = Found { radiance, albedo: Vec3::ONE, normal: Vec3::X, depth: f32::INFINITY };
         assert_eq!(layout.add(&mut sums, &[found]), 1);
-        let one = super::super::fixed::from_f32(1.0).unwrap();
+        let one = fixed::from_f32(1.0).unwrap();
         assert_eq!(sums, [0, 0, 0, one, one, one, 0]);
     }
 }
