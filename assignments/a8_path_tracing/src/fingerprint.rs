@@ -65,3 +65,41 @@ impl Sum {
         self.add_text(&[mesh.positions.len(), mesh.normals.len(), mesh.uvs.len()]);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use common::picture::{Film, Size, Transfer, write};
+
+    const SCENE: &str = "PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0 angle 30 }
+        Materials { numMaterials 1 Material { ImageTexture { file p.tga } } }
+        Group { numObjects 2 MaterialIndex 0 Sphere { center 0 0 0 radius 1 }
+            TriangleMesh { obj_file m.obj } }";
+
+    /// The number of a scene that lies in a folder of its own.
+    fn number(scene: &str, corner: &str, grey: f32) -> u64 {
+        let folder = tempfile::tempdir().unwrap();
+        let file = |name: &str| folder.path().join(name);
+        fs::write(file("s.txt"), scene).unwrap();
+        fs::write(file("m.obj"), format!("v 0 0 0\nv 1 0 0\nv 0 1 {corner}\nf 1 2 3\n")).unwrap();
+        let film = Film::filled(Size::new(2, 2).unwrap(), common::math::Vec3::splat(grey));
+        write(&file("p.tga"), &film, Transfer::Linear).unwrap();
+        fingerprint(&common::scene::load(&file("s.txt")).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn all_that_is_seen_counts_and_where_it_lies_does_not() {
+        let one = number(SCENE, "0", 0.5);
+        assert_eq!(one, number(SCENE, "0", 0.5), "the folder is another");
+        let others = [
+            number(&SCENE.replace("radius 1", "radius 1.0000001"), "0", 0.5),
+            number(&SCENE.replace("angle 30", "angle 31"), "0", 0.5),
+            number(&SCENE.replace("p.tga", "p.tga scale 2 2"), "0", 0.5),
+            number(SCENE, "0.5", 0.5),
+            number(SCENE, "0", 0.6),
+        ];
+        for (i, other) in others.iter().enumerate() {
+            assert!(*other != one && !others[..i].contains(other), "{i}");
+        }
+    }
+}

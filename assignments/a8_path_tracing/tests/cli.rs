@@ -264,6 +264,9 @@ fn statistics_tell_of_samples() {
         stats.contains("samples per pixel: least 9, mean 9.0, most 9; 0 of 200 pixels converged"),
         "{stats}"
     );
+    // The first survey comes with 16 samples; whatever they see, an error of 1000 is not theirs.
+    let stats = run(&scratch, "-input good.txt -size 20 10 -error 1000 -stats").stdout;
+    assert!(stats.contains("least 16, mean 16.0, most 16; 200 of 200 pixels converged"), "{stats}");
 }
 
 /// Sends what Ctrl-C sends.

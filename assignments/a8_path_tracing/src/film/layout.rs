@@ -1,5 +1,6 @@
 //! Which numbers are kept for a pixel.
 
+use super::fixed;
 use crate::path::Found;
 use common::math::Vec3;
 
@@ -71,10 +72,24 @@ impl Layout {
         (if self.halves { 6 } else { 3 }) + kept.map(|aov| aov.len()).sum::<usize>()
     }
 
-    /// Adds a sample to a pixel's numbers. Returns false if one of its numbers was none and
+    /// Adds samples to a pixel's numbers. Returns how many of them had a number that was none and
     /// counted as 0.
     #[inline]
-    pub fn add(self, sums: &mut [i128], found: &Found) -> bool {
+    pub fn add(self, sums: &mut [i128], found: &[Found]) -> u64 {
+        let mut bad = 0;
+        if self.aovs == [false; 3] {
+            let mut radiance = [0; 3];
+            found.iter().for_each(|found| bad += u64::from(!add_color(&mut radiance, found.radiance)));
+            sums.iter_mut().zip(radiance).for_each(|(sum, more)| *sum += more);
+        } else {
+            found.iter().for_each(|found| bad += u64::from(!self.add_one(sums, found)));
+        }
+        bad
+    }
+
+    /// Adds a sample; false if one of its numbers is none.
+    #[inline]
+    fn add_one(self, sums: &mut [i128], found: &Found) -> bool {
         let mut good = add_color(&mut sums[Self::RADIANCE..][..3], found.radiance);
         if let Some(place) = self.place(Aov::Albedo) {
             good &= add_color(&mut sums[place..][..3], found.albedo);
@@ -83,7 +98,7 @@ impl Layout {
             good &= add_color(&mut sums[place..][..3], found.normal);
         }
         if let Some(place) = self.place(Aov::Depth) {
-            let depth = super::fixed::from_f32(found.depth);
+            let depth = fixed::from_f32(found.depth);
             sums[place] += depth.unwrap_or(0);
             good &= depth.is_some();
         }
@@ -106,11 +121,12 @@ impl Layout {
 /// Adds all three channels, or none of them if one is no number.
 #[inline]
 fn add_color(sums: &mut [i128], color: Vec3) -> bool {
-    let channels = color.to_array().map(super::fixed::from_f32);
-    let [Some(r), Some(g), Some(b)] = channels else { return false };
-    sums[0] += r;
-    sums[1] += g;
-    sums[2] += b;
+    if !color.is_finite() {
+        return false;
+    }
+    sums[0] += fixed::from_finite(color.x);
+    sums[1] += fixed::from_finite(color.y);
+    sums[2] += fixed::from_finite(color.z);
     true
 }
 
@@ -137,8 +153,8 @@ mod tests {
         let mut sums = vec![0; layout.stride()];
         let radiance = Vec3::new(1.0, f32::NAN, 1.0);
         let found = Found { radiance, albedo: Vec3::ONE, normal: Vec3::X, depth: f32::INFINITY };
-        assert!(!layout.add(&mut sums, &found));
-        let one = super::super::fixed::from_f32(1.0).unwrap();
+        assert_eq!(layout.add(&mut sums, &[found]), 1);
+        let one = fixed::from_f32(1.0).unwrap();
         assert_eq!(sums, [0, 0, 0, one, one, one, 0]);
     }
 }

@@ -98,14 +98,13 @@ fn trace_tile<E: Estimator>(
     let mut patch = Patch { tile, values: vec![0; tile.area() * stride], dropped: 0 };
     let at_a_time = (TOGETHER / each).max(1);
     for (numbers, pixels) in worker.numbers.chunks(at_a_time).zip(worker.pixels.chunks(at_a_time)) {
-        worker.found.clear();
+        // Whatever is in there is written over.
         worker.found.resize(pixels.len() * each, Found::default());
         let (scratch, counters) = (&mut worker.scratch, &mut worker.counters);
         estimator.trace(scratch, pixels, samples.clone(), counters, &mut worker.found);
         for (number, found) in numbers.iter().zip(worker.found.chunks_exact(each)) {
             let values = &mut patch.values[number * stride..][..stride];
-            let bad = found.iter().filter(|found| !layout.add(values, found)).count();
-            patch.dropped += bad as u64;
+            patch.dropped += layout.add(values, found);
         }
     }
     worker.patches.push(patch);

@@ -21,9 +21,9 @@ pub fn encode(identity: &Identity, sums: &Sums) -> Vec<u8> {
         bytes.extend(text.as_bytes());
     }
     for (taken, stopped) in sums.taken.iter().zip(&sums.stopped) {
-        bytes.extend((taken | if *stopped { STOPPED } else { 0 }).to_le_bytes());
+        bytes.extend_from_slice(&(taken | if *stopped { STOPPED } else { 0 }).to_le_bytes());
     }
-    sums.values.iter().for_each(|value| bytes.extend(value.to_le_bytes()));
+    sums.values.iter().for_each(|value| bytes.extend_from_slice(&value.to_le_bytes()));
     bytes.extend(checksum(&bytes).to_le_bytes());
     bytes
 }
