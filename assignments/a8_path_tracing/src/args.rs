@@ -75,7 +75,7 @@ pub struct FollowArgs {
     pub integrator: Integrator,
 
     /// Surfaces that a path meets before it may be ended at random
-    #[arg(long, value_name = "N", default_value_t = 2)]
+    #[arg(long, value_name = "N", default_value_t = 1)]
     pub rr_depth: u32,
 }
 

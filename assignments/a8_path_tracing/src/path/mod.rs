@@ -55,7 +55,7 @@ impl Default for Rules {
         Self {
             integrator: Integrator::Mis,
             bounces: None,
-            roulette_depth: 2,
+            roulette_depth: 1,
             skip_behind: true,
             skip_specular: true,
         }

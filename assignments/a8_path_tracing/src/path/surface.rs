@@ -12,6 +12,10 @@ use common::ray::Ray;
 use common::scene::PhongMaterial;
 use std::borrow::Cow;
 
+/// Share of light that may be lost before roulette is worth its noise. Of 1, ½, 0.3, 0.15 and 0.07
+/// the second and third gave least error in the same time on the three scenes 8_01 to 8_03.
+const WORTH_GOING_ON: f32 = 0.4;
+
 /// A surface as a path meets it.
 struct Place<'s> {
     surface: &'s Surface,
@@ -182,15 +186,16 @@ impl PathTracer<'_> {
             return true;
         }
         path.left *= bsdf.albedo().max_element();
-        if generation + 1 < self.rules.roulette_depth || path.left >= 1.0 {
+        let chance = path.left / WORTH_GOING_ON;
+        if generation + 1 < self.rules.roulette_depth || chance >= 1.0 {
             return true;
         }
         let [u, _] = self.numbers.pair(&path.stream, &scratch.rows, Use::Roulette(generation));
-        if u >= f64::from(path.left) {
+        if u >= f64::from(chance) {
             return false;
         }
-        path.throughput /= path.left;
-        path.left = 1.0;
+        path.throughput /= chance;
+        path.left = WORTH_GOING_ON;
         true
     }
 }

@@ -33,7 +33,7 @@ pub struct Options {
     #[arg(long, default_value_t = 6)]
     bounces: u32,
     /// Surfaces before roulette
-    #[arg(long, default_value_t = 2)]
+    #[arg(long, default_value_t = 1)]
     rr_depth: u32,
     /// What finds hits, as for a6_kdtree
     #[arg(long, default_value = "auto")]
