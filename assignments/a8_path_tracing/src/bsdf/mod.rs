@@ -72,6 +72,18 @@ impl Bsdf {
         self.chances[0] + self.chances[1] == 0.0
     }
 
+    /// Whether all light that is sent on is scattered by the matt lobe.
+    #[inline]
+    pub fn is_matt(&self) -> bool {
+        self.chances[0] == 1.0
+    }
+
+    /// What is mirrored whatever the angle, what is shared by Fresnel's equations, and the index of
+    /// refraction of that.
+    pub fn specular_parts(&self) -> (Vec3, Vec3, f32) {
+        (self.mirror, self.glass, self.index_of_refraction)
+    }
+
     /// Share of light that is sent on, for pictures of the albedo: of the highlight what it sends
     /// back at most, of glass all.
     pub fn albedo(&self) -> Vec3 {

@@ -137,37 +137,58 @@ impl AreaLight {
 
     /// The point for a point of the unit square, as seen from `from`; `None` if its back is seen.
     pub fn sample(&self, geometry: &Geometry, from: DVec3, uv: [f64; 2]) -> Option<Seen> {
-        let (flat, [s, t], primitive, weights) = match &self.shape {
-            AreaShape::Round(shape) => {
-                let point = shape.point(geometry, self.primitive, from, uv);
-                let front = point.surface.geometric_normal.dot(point.direction) < 0.0;
-                return (front && point.pdf > 0.0).then_some(Seen {
-                    surface: point.surface,
-                    direction: point.direction,
-                    pdf: point.pdf,
-                });
-            }
-            AreaShape::Triangle(flat) => {
-                let weights = triangle(uv);
-                (flat, weights, self.primitive, weights)
-            }
-            // The first triangle is the half where s ≥ t: its corners are at (0,0), (1,0), (1,1).
-            AreaShape::Parallelogram(flat) if uv[0] >= uv[1] => {
-                (flat, uv, self.primitive, [uv[0] - uv[1], uv[1]])
-            }
-            AreaShape::Parallelogram(flat) => (flat, uv, self.primitive + 1, [uv[0], uv[1] - uv[0]]),
-        };
-        let to_point = flat.corner + flat.edges[0] * s + flat.edges[1] * t - from;
+        if let AreaShape::Round(shape) = &self.shape {
+            let point = shape.point(geometry, self.primitive, from, uv);
+            let front = point.surface.geometric_normal.dot(point.direction) < 0.0;
+            return (front && point.pdf > 0.0).then_some(Seen {
+                surface: point.surface,
+                direction: point.direction,
+                pdf: point.pdf,
+            });
+        }
+        let (flat, primitive, weights) = self.spot(uv)?;
+        let to_point = flat.corner + flat.edges[0] * weights[0] + flat.edges[1] * weights[1] - from;
         let squared = to_point.length_squared();
         let direction = to_point / squared.sqrt();
         let pdf = flat.pdf(direction, squared);
         if pdf.is_nan() || pdf <= 0.0 {
             return None;
         }
-        let [u, v] = weights.map(|w| w as f32);
-        let sight = Ray::new(from.as_vec3(), direction.as_vec3());
-        let surface = geometry.surface(&sight, &Hit { t: squared.sqrt() as f32, primitive, u, v });
+        let surface = self.surface(geometry, primitive, weights);
         Some(Seen { surface, direction, pdf })
+    }
+
+    /// A point of a flat light for a point of the unit square, evenly over its area; `None` for
+    /// others.
+    pub fn flat_point(&self, geometry: &Geometry, uv: [f64; 2]) -> Option<Surface> {
+        let (_, primitive, weights) = self.spot(uv)?;
+        Some(self.surface(geometry, primitive, weights))
+    }
+
+    /// Of a flat light: the shape, the primitive, and how far along both edges of the shape a point
+    /// of the unit square falls.
+    #[inline]
+    fn spot(&self, uv: [f64; 2]) -> Option<(&Flat, u32, [f64; 2])> {
+        match &self.shape {
+            AreaShape::Round(_) => None,
+            AreaShape::Triangle(flat) => Some((flat, self.primitive, triangle(uv))),
+            AreaShape::Parallelogram(flat) => Some((flat, self.primitive + u32::from(uv[0] < uv[1]), uv)),
+        }
+    }
+
+    /// The surface there.
+    #[inline]
+    fn surface(&self, geometry: &Geometry, primitive: u32, [s, t]: [f64; 2]) -> Surface {
+        // The first triangle of a parallelogram has its corners at (0, 0), (1, 0), (1, 1), the
+        // second at (0, 0), (1, 1), (0, 1).
+        let [u, v] = match &self.shape {
+            AreaShape::Parallelogram(_) if primitive == self.primitive => [s - t, t],
+            AreaShape::Parallelogram(_) => [s, t - s],
+            _ => [s, t],
+        };
+        let hit = Hit { t: 0.0, primitive, u: u as f32, v: v as f32 };
+        // From which side it is looked at matters to smooth normals only.
+        geometry.surface(&Ray::new(Vec3::ZERO, Vec3::Z), &hit)
     }
 
     /// Density per steradian of [`AreaLight::sample`] from `from` in the unit direction of a point

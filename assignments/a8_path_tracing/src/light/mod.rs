@@ -13,10 +13,12 @@
 //! the pictures of the steps below, so they count π times their colour.
 
 mod area;
+mod ball;
 mod environment;
 mod tree;
 
 pub use area::{AreaLight, AreaShape, Seen};
+pub use ball::{Ball, BallWay};
 pub use environment::Environment;
 pub use tree::{Cluster, Leaf, LightTree, Receiver};
 
@@ -42,6 +44,17 @@ pub struct Lights<'a> {
     far: Vec<&'a LightSpec>,
     tree: LightTree,
     environment: Option<Environment>,
+}
+
+/// A point of a flat light, chosen evenly over its area.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// The point.
+    pub surface: Surface,
+    /// Radiance that it gives off.
+    pub radiance: Vec3,
+    /// The light's area over the probability of choosing it.
+    pub area_per_chance: f64,
 }
 
 /// Light that a surface is offered.
@@ -135,6 +148,40 @@ impl<'a> Lights<'a> {
         Some(Offer { direction: seen.direction, end, light: radiance * (1.0 / pdf) as f32, pdf: pdf as f32 })
     }
 
+    /// A point of a flat light for a point of the unit square, for whoever is interested in what
+    /// light reaches `from`.
+    pub fn target(&self, from: DVec3, [u, v]: [f64; 2]) -> Option<Target> {
+        let at = Receiver { point: from.as_vec3(), normal: Vec3::ZERO };
+        let (light, chance, u) = self.tree.choose(&at, u)?;
+        let area = self.areas.get(light as usize)?;
+        let surface = area.flat_point(self.geometry, [u, v])?;
+        let area_per_chance = area.area() / f64::from(chance);
+        Some(Target { surface, radiance: self.emitted(&surface), area_per_chance })
+    }
+
+    /// [`Target::area_per_chance`] of this shining primitive for whoever is interested in what light
+    /// reaches `from`; `None` if [`Lights::target`] never chooses it.
+    pub fn area_per_chance(&self, from: DVec3, primitive: u32) -> Option<f64> {
+        let index = self.light_of(primitive)?;
+        let area = &self.areas[index as usize];
+        area.facing()?;
+        let at = Receiver { point: from.as_vec3(), normal: Vec3::ZERO };
+        let chance = f64::from(self.tree.probability(&at, index));
+        (chance > 0.0).then(|| area.area() / chance)
+    }
+
+    /// Whether [`Lights::target`] may find anything.
+    pub fn any_flat(&self) -> bool {
+        self.areas.iter().any(|area| area.facing().is_some())
+    }
+
+    /// The shining surface that a primitive belongs to.
+    fn light_of(&self, primitive: u32) -> Option<u32> {
+        let after = self.by_primitive.partition_point(|(first, _)| *first <= primitive);
+        let (first, index) = self.by_primitive[after.checked_sub(1)?];
+        (primitive - first < self.areas[index as usize].primitives()).then_some(index)
+    }
+
     /// Radiance from the front of a surface.
     #[inline]
     fn emitted(&self, surface: &Surface) -> Vec3 {
@@ -147,12 +194,8 @@ impl<'a> Lights<'a> {
     /// Density with which [`Lights::offer`] at `from` would have been this point of a shining
     /// surface, per steradian; 0 if it is not asked for.
     pub fn pdf(&self, from: DVec3, normal: Vec3, direction: DVec3, distance: f64, surface: &Surface) -> f32 {
-        let after = self.by_primitive.partition_point(|(first, _)| *first <= surface.primitive);
-        let Some(&(first, index)) = after.checked_sub(1).map(|i| &self.by_primitive[i]) else { return 0.0 };
+        let Some(index) = self.light_of(surface.primitive) else { return 0.0 };
         let area = &self.areas[index as usize];
-        if surface.primitive - first >= area.primitives() {
-            return 0.0;
-        }
         let chance = self.tree.probability(&Receiver { point: from.as_vec3(), normal }, index);
         let pdf = area.pdf(from, direction, distance, surface);
         (pdf * f64::from(chance) * self.near_share()) as f32

@@ -50,7 +50,7 @@ pub struct LightTree {
 pub struct Receiver {
     /// Where it is.
     pub point: Vec3,
-    /// Unit normal; light from behind does not count.
+    /// Unit normal: light from behind does not count. Zero if light from everywhere does.
     pub normal: Vec3,
 }
 
@@ -78,7 +78,8 @@ impl Cluster {
         let towards = to_center / distance;
         let sine = half_diagonal / distance;
         let cosine = (1.0 - sine * sine).max(0.0).sqrt();
-        let receiving = widened(at.normal.dot(towards), cosine, sine);
+        let everywhere = at.normal == Vec3::ZERO;
+        let receiving = if everywhere { 1.0 } else { widened(at.normal.dot(towards), cosine, sine) };
         let spread = self.cos_spread;
         let sending = if spread <= -1.0 {
             1.0

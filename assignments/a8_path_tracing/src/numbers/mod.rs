@@ -25,6 +25,8 @@ pub enum Use {
     Way(u32),
     /// The light that it asks.
     Light(u32),
+    /// The light that it asks over balls.
+    Caustic(u32),
     /// Whether the path ends there; only the first coordinate is used.
     Roulette(u32),
 }
@@ -35,9 +37,10 @@ impl Use {
         match self {
             Self::Pixel => 0,
             Self::Lens => 1,
-            Self::Way(generation) => 2 + 3 * generation,
-            Self::Light(generation) => 3 + 3 * generation,
-            Self::Roulette(generation) => 4 + 3 * generation,
+            Self::Way(generation) => 2 + 4 * generation,
+            Self::Light(generation) => 3 + 4 * generation,
+            Self::Caustic(generation) => 4 + 4 * generation,
+            Self::Roulette(generation) => 5 + 4 * generation,
         }
     }
 }
@@ -69,6 +72,16 @@ pub struct Stream {
 }
 
 impl Stream {
+    /// Two numbers in [0, 1) of the same kind, for one of many things.
+    pub fn beside(&self, generation: u32, thing: u32) -> [f64; 2] {
+        let which = u64::from(generation) << 32 | u64::from(thing);
+        units(hash(
+            self.key ^ u64::from(self.sample),
+            which,
+            u64::from(self.pixel.0) << 32 | u64::from(self.pixel.1),
+        ))
+    }
+
     /// A number in [0, 1) for this sample and generation that has nothing to do with others.
     pub fn by_itself(&self, generation: u32) -> f64 {
         let pixel = u64::from(self.pixel.0) << 32 | u64::from(self.pixel.1);

@@ -18,14 +18,16 @@ pub const DIMENSIONS: usize = DIRECTIONS.len() + 1;
 /// with others, so the first surfaces come first.
 #[inline]
 pub fn dimension(what: Use) -> Option<usize> {
-    let first = |generation: u32| if generation == 0 { 2 } else { 4 + 5 * generation as usize };
+    let first = |generation: u32| if generation == 0 { 2 } else { 4 + 7 * generation as usize };
     let place = match what {
         Use::Pixel => 0,
         Use::Light(generation) => first(generation),
         Use::Way(generation) => first(generation) + 2,
         Use::Lens => 6,
         Use::Roulette(0) => 8,
+        Use::Caustic(0) => 9,
         Use::Roulette(generation) => first(generation) + 4,
+        Use::Caustic(generation) => first(generation) + 5,
     };
     (place + 1 < DIMENSIONS).then_some(place)
 }

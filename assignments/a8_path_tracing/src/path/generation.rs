@@ -1,5 +1,6 @@
 //! One step of all paths.
 
+use super::caustic::Chain;
 use super::{Expected, Found, Path, PathTracer, Scratch, Shadows};
 use crate::Integrator;
 use common::accel::Accel;
@@ -59,6 +60,10 @@ impl PathTracer<'_> {
         if emissive == Vec3::ZERO || surface.geometric_normal.dot(direction) >= 0.0 {
             return Vec3::ZERO;
         }
+        if let Chain::Over { ball, through } = path.chain {
+            let asked = self.density_over_ball(path, ball, through, direction, surface);
+            return path.throughput * emissive * self.met_by_chance(path.began.2, asked);
+        }
         // From the eye, or from a mirror, there was no other way to find it.
         if path.pdf == f32::INFINITY || self.rules.integrator == Integrator::Naive {
             return path.throughput * emissive;
@@ -105,8 +110,13 @@ impl Shadows {
     }
 
     pub(super) fn push(&mut self, ray: Ray, slot: u32, light: Vec3) {
-        self.rays.push(ray);
-        self.expected.push(Expected { slot, light });
+        self.push_way(&[ray], slot, light);
+    }
+
+    /// Light that arrives if none of the rays is blocked.
+    pub(super) fn push_way(&mut self, rays: &[Ray], slot: u32, light: Vec3) {
+        self.rays.extend_from_slice(rays);
+        self.expected.push(Expected { slot, rays: rays.len() as u32, light });
     }
 
     /// Sends the rays; light with nothing in between arrives.
@@ -124,8 +134,13 @@ impl Shadows {
         self.blocked.clear();
         self.blocked.resize(self.rays.len(), false);
         accel.any_many(&self.rays, interval, &mut self.blocked, counters);
-        for (expected, _) in self.expected.iter().zip(&self.blocked).filter(|(_, blocked)| !**blocked) {
-            found[expected.slot as usize].radiance += expected.light;
+        let mut blocked = self.blocked.as_slice();
+        for expected in &self.expected {
+            let (own, others) = blocked.split_at(expected.rays as usize);
+            if !own.contains(&true) {
+                found[expected.slot as usize].radiance += expected.light;
+            }
+            blocked = others;
         }
     }
 }

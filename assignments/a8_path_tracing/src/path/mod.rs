@@ -4,20 +4,22 @@
 //! at once, every surface that is met asks a light and chooses a way on ([`surface`]), and all
 //! shadow rays are sent at once. What a path finds does not depend on who is traced beside it.
 
+mod caustic;
 mod generation;
 mod surface;
 
 use crate::bsdf::Bsdf;
-use crate::light::Lights;
+use crate::light::{Ball, Lights};
 use crate::numbers::{Numbers, Rows, Stream, Use};
 use a1_ray_casting::{Studio, World};
 use a7_sampling::aperture::Aperture;
 use a7_sampling::sampler::Pixel;
+use caustic::Chain;
 use common::accel::Accel;
 use common::camera::screen_position;
 use common::counters::Counters;
 use common::geometry::Hit;
-use common::math::Vec3;
+use common::math::{DVec3, Vec3};
 use common::ray::Ray;
 use std::ops::Range;
 
@@ -90,12 +92,18 @@ struct Path {
     pdf: f32,
     /// Share of light that the surfaces so far have sent on, since roulette was played.
     left: f32,
+    /// Whether it is on a way that was asked for.
+    chain: Chain,
+    /// Where that began: the point, the direction, and its density.
+    began: (DVec3, Vec3, f32),
 }
 
 /// Light on its way to a surface, if nothing is in between.
 #[derive(Clone, Copy, Debug)]
 struct Expected {
     slot: u32,
+    /// How many of the rays, one after the other, must arrive.
+    rays: u32,
     light: Vec3,
 }
 
@@ -122,6 +130,9 @@ pub struct Scratch {
     far: Shadows,
 }
 
+/// With more balls lights are not asked over them.
+const MOST_BALLS: usize = 64;
+
 /// Follows paths through a scene.
 pub struct PathTracer<'a> {
     studio: &'a Studio,
@@ -133,6 +144,8 @@ pub struct PathTracer<'a> {
     rules: Rules,
     /// What is the same all over a material.
     plain: Vec<Option<Bsdf>>,
+    /// What lights are asked over.
+    balls: Vec<Ball>,
 }
 
 impl<'a> PathTracer<'a> {
@@ -146,9 +159,13 @@ impl<'a> PathTracer<'a> {
         rules: Rules,
     ) -> Self {
         let materials = 0..world.as_scene().materials.len() as u32;
-        let plain = materials.map(|index| world.plain(index).map(Bsdf::new)).collect();
+        let plain: Vec<Option<Bsdf>> = materials.map(|index| world.plain(index).map(Bsdf::new)).collect();
+        let lobes = |index: u32| Some((plain[index as usize]?, world.plain(index)?.absorption));
+        let mut balls = if lights.any_flat() { Ball::all(&studio.geometry, lobes) } else { Vec::new() };
+        // A look at each would cost too much.
+        balls.truncate(if balls.len() > MOST_BALLS { 0 } else { MOST_BALLS });
         let aperture = studio.camera.lens.map(|lens| Aperture::new(lens.blades));
-        Self { studio, world, accel, lights, numbers, aperture, rules, plain }
+        Self { studio, world, accel, lights, numbers, aperture, rules, plain, balls }
     }
 
     /// The lights that are asked for.
@@ -196,6 +213,8 @@ impl<'a> PathTracer<'a> {
                     normal: Vec3::ZERO,
                     pdf: f32::INFINITY,
                     left: 1.0,
+                    chain: Chain::None,
+                    began: (DVec3::ZERO, Vec3::ZERO, 0.0),
                 });
                 slot += 1;
             }

@@ -1,5 +1,6 @@
 //! What happens where a path meets a surface.
 
+use super::caustic::Chain;
 use super::{Found, Path, PathTracer, Scratch};
 use crate::Integrator;
 use crate::bsdf::Bsdf;
@@ -17,18 +18,18 @@ use std::borrow::Cow;
 const WORTH_GOING_ON: f32 = 0.4;
 
 /// A surface as a path meets it.
-struct Place<'s> {
-    surface: &'s Surface,
+pub(super) struct Place<'s> {
+    pub surface: &'s Surface,
     /// Unit vector to where the path comes from.
-    out: Vec3,
+    pub out: Vec3,
     /// Normal to shade with, on the side of `out`.
-    normal: Vec3,
+    pub normal: Vec3,
     /// The surface's own normal, on that side.
-    geometric: Vec3,
+    pub geometric: Vec3,
     /// Whether that side is the inside of the body.
-    inside: bool,
+    pub inside: bool,
     /// Where rays start.
-    departure: Departure,
+    pub departure: Departure,
 }
 
 impl<'s> Place<'s> {
@@ -79,7 +80,8 @@ impl PathTracer<'_> {
         if bsdf.is_black() || self.rules.bounces.is_some_and(|most| generation > most) {
             return;
         }
-        self.ask(scratch, &place, &path, &bsdf, generation, counters);
+        let direct = self.ask(scratch, &place, &path, &bsdf, generation, counters);
+        self.ask_over_balls(scratch, &place, &path, &bsdf, generation, direct);
         self.go_on(scratch, &place, path, &bsdf, generation, counters);
     }
 
@@ -102,7 +104,7 @@ impl PathTracer<'_> {
         Cow::Owned(parts.swap_remove(chosen.unwrap_or(last)).material)
     }
 
-    /// Asks one light.
+    /// Asks one light. Returns about what it sends: the sum of the channels, were nothing in between.
     fn ask(
         &self,
         scratch: &mut Scratch,
@@ -111,36 +113,37 @@ impl PathTracer<'_> {
         bsdf: &Bsdf,
         generation: u32,
         counters: &mut Counters,
-    ) {
+    ) -> f32 {
         if self.rules.integrator == Integrator::Naive || self.lights.is_empty() {
-            return;
+            return 0.0;
         }
         if self.rules.skip_specular && bsdf.is_specular() {
             counters.skipped_light_specular += 1;
-            return;
+            return 0.0;
         }
         let uv = self.numbers.pair(&path.stream, &scratch.rows, Use::Light(generation));
         let offer = self.lights.offer(place.surface.point, place.geometric, uv);
         let Some(offer) = offer else {
             counters.skipped_shadow_dark += 1;
-            return;
+            return 0.0;
         };
         let into = offer.direction.as_vec3();
         if self.rules.skip_behind && place.geometric.dot(into) <= 0.0 {
             counters.skipped_shadow_behind += 1;
-            return;
+            return 0.0;
         }
         let value = bsdf.value(place.out, into, place.normal);
         let light = path.throughput * value.response * offer.light * self.asked_for(offer.pdf, value.pdf);
         if light == Vec3::ZERO || place.geometric.dot(into) <= 0.0 {
             counters.skipped_shadow_dark += 1;
-            return;
+            return 0.0;
         }
         let start = place.departure.towards(offer.direction);
         match offer.end {
             Some(end) => scratch.near.push(Ray::new(start, end - start), path.slot, light),
             None => scratch.far.push(Ray::new(start, into), path.slot, light),
         }
+        light.element_sum()
     }
 
     /// Chooses the way on, unless roulette ends the path.
@@ -169,6 +172,10 @@ impl PathTracer<'_> {
         if !self.survives(scratch, &mut path, bsdf, generation) {
             counters.ended_by_roulette += 1;
             return;
+        }
+        path.chain = self.next_link(&path, place, bsdf, way.pdf == f32::INFINITY, same_side, generation);
+        if path.chain == Chain::Begun {
+            path.began = (place.surface.point, way.direction, way.pdf);
         }
         path.normal = place.geometric;
         path.pdf = way.pdf;
