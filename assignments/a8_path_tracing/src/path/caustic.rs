@@ -14,12 +14,12 @@ use common::math::{DVec3, Vec3};
 use common::ray::Ray;
 
 /// Share of the light that was asked directly below which a way is followed at random only.
-const LITTLE: f32 = 0.1;
+const LITTLE: f32 = 0.4;
 
 /// How likely a surface asks over a ball: in proportion to the part of the sky that it fills, so
 /// that many small balls cost no more than a few large ones.
 fn chance_to_ask(ball: &Ball, from: DVec3) -> f64 {
-    (4.0 * ball.radius().powi(2) / (ball.center() - from).length_squared()).min(1.0)
+    (1.5 * ball.radius().powi(2) / (ball.center() - from).length_squared()).min(1.0)
 }
 
 /// How far a path is on a way that would have been asked for.
