@@ -6,7 +6,6 @@ use crate::picture::{SamplesPicture, counts_picture, kernel_picture};
 use crate::sampler::{Pattern, Pixel};
 use crate::{Exposure, Sample, SamplingArgs, Shade, smoothed};
 use a1_ray_casting::{Report, Sight, Studio, World};
-use a2_transforms::Centres;
 use a4_whitted::{NoRecord, Whitted};
 use a6_kdtree::texture::TexturedScene;
 use a6_kdtree::{AccelArgs, Step};
@@ -53,10 +52,7 @@ impl Shade for SoftWhitted<'_> {
     ) {
         let whitted = &self.whitted;
         match &self.lights {
-            None => {
-                let mut lamps: Vec<Centres> = sights.iter().map(|_| Centres).collect();
-                whitted.radiances(sights, &mut lamps, counters, &mut NoRecord, radiances);
-            }
+            None => whitted.radiances_of_points(sights, counters, radiances),
             Some(lights) => {
                 let of_sample = |(pixel, sample): &(Pixel, u32)| lights.of_sample(*pixel, *sample);
                 let mut lamps: Vec<_> = samples.iter().map(of_sample).collect();
