@@ -23,6 +23,17 @@ pub struct Incident {
     pub source: Source,
 }
 
+/// Where the light of a source comes from. Light spheres send it from their centre.
+#[inline]
+pub fn source(light: &LightSpec) -> Source {
+    match light.kind {
+        LightKind::Directional { direction } => Source::Direction(-direction),
+        LightKind::Point { position, .. } | LightKind::Sphere { center: position, .. } => {
+            Source::Point(position)
+        }
+    }
+}
+
 /// The light that arrives at `point` from one source. Light spheres send it from their centre.
 #[inline]
 pub fn incident(light: &LightSpec, point: DVec3) -> Incident {

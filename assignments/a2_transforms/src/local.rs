@@ -1,6 +1,6 @@
 //! A2T2: light at a surface point, straight from the sources.
 
-use crate::{Incident, incident};
+use crate::{Incident, Source, incident, source};
 use a1_ray_casting::Mixture;
 use common::cli::Skip;
 use common::geometry::Surface;
@@ -22,6 +22,12 @@ pub trait Lamps {
         incident(&scene.lights[index], surface.point)
     }
 
+    /// Where the light of one look comes from, if that is known without looking and nothing is
+    /// missed by not looking.
+    fn source(&self, _scene: &Scene, _index: usize) -> Option<Source> {
+        None
+    }
+
     /// Told that a look adds nothing here, and why; returns whether to leave it out.
     fn skip(&mut self, _: Skip) -> bool {
         true
@@ -31,7 +37,11 @@ pub trait Lamps {
 /// One look for each light, at its centre.
 pub struct Centres;
 
-impl Lamps for Centres {}
+impl Lamps for Centres {
+    fn source(&self, scene: &Scene, index: usize) -> Option<Source> {
+        Some(source(&scene.lights[index]))
+    }
+}
 
 /// The scene's lights, and how surfaces seen from behind are treated.
 #[derive(Clone, Copy)]
