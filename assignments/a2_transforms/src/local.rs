@@ -78,6 +78,7 @@ impl LocalLight<'_> {
     ///
     /// A surface seen from behind is black, its own light included, unless `shade_back` turns its
     /// normal round first.
+    #[inline(always)]
     pub fn gather(
         &self,
         surface: &Surface,

@@ -40,6 +40,7 @@ impl<L: Lamps> Lamps for Asked<'_, '_, L> {
         self.lamps.looks(scene)
     }
 
+    #[inline(always)]
     fn look(&mut self, scene: &Scene, index: usize, surface: &Surface) -> Incident {
         self.blocked = false;
         let Some(body) = self.body else { return self.lamps.look(scene, index, surface) };
@@ -101,6 +102,7 @@ impl<'a, 'w, I: Copy> ShadowRays<'a, 'w, I> {
     /// One more, from beside the surface to the light; a light at a point is at t = 1, so that what
     /// stands behind it casts no shadow. Without shadows it is as good as sent.
     #[expect(clippy::too_many_arguments, reason = "a ray, what it is for, and who made it")]
+    #[inline(always)]
     pub fn add(
         &mut self,
         look: usize,

@@ -15,6 +15,7 @@ use common::geometry::{Departure, Hit, Surface};
 use common::math::{DVec3, Interval, Vec3};
 use common::ray::Ray;
 use common::scene::PhongMaterial;
+use std::borrow::Borrow;
 
 /// An owner with more rays than this in one generation is finished alone, last rays first, so that
 /// memory is needed for the depth of its tree and not for its width.
@@ -54,6 +55,7 @@ pub struct Wave<'a, 'w, R: Recorder, L: Lamps> {
 
 impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
     /// Follows camera rays and all that comes of them.
+    #[inline(always)]
     pub fn run(&mut self, sights: &[Sight]) {
         let camera = |(owner, sight): (u32, &Sight)| Branch {
             ray: sight.ray,
@@ -66,7 +68,7 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
         };
         let branches: Vec<_> = (0..).zip(sights).map(camera).collect();
         let hits: Vec<_> = sights.iter().map(|sight| sight.hit).collect();
-        let mut next = self.follow(&branches, &hits, |i| sights[i].surface().copied());
+        let mut next = self.follow(&branches, &hits, |i| sights[i].surface());
         let mut alone = Vec::new();
         while !next.is_empty() {
             set_aside_wide(&mut next, sights.len(), &mut alone);
@@ -81,6 +83,7 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
     }
 
     /// Traces rays and follows them.
+    #[inline(always)]
     fn send(&mut self, branches: &[Branch<R::Id>]) -> Vec<Branch<R::Id>> {
         let rays: Vec<Ray> = branches.iter().map(|branch| branch.ray).collect();
         let mut hits = vec![None; rays.len()];
@@ -92,11 +95,12 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
     }
 
     /// Adds what rays bring by themselves and by the lights; returns the rays that come of them.
-    fn follow(
+    #[inline(always)]
+    fn follow<S: Borrow<Surface>>(
         &mut self,
         branches: &[Branch<R::Id>],
         hits: &[Option<Hit>],
-        surface: impl Fn(usize) -> Option<Surface>,
+        surface: impl Fn(usize) -> Option<S>,
     ) -> Vec<Branch<R::Id>> {
         let whitted = self.whitted;
         let mut next = Generation { mirrored: Vec::new(), refracted: Vec::new() };
@@ -108,13 +112,14 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
                 *radiance += branch.throughput * whitted.scene.as_scene().background.color;
                 continue;
             };
-            let mixture = whitted.scene.at(&surface);
+            let surface = surface.borrow();
+            let mixture = whitted.scene.at(surface);
             let departure = surface.departure();
             let incoming = branch.ray.direction.as_dvec3();
-            let throughput = branch.throughput * inside(&mixture, &surface, incoming, hit.t);
+            let throughput = branch.throughput * inside(&mixture, surface, incoming, hit.t);
             let at = Branch { throughput, parent: id, ..*branch };
             if branch.depth < whitted.rules.bounces {
-                next.add(whitted, &at, &surface, &departure, &mixture, self.counters);
+                next.add(whitted, &at, surface, &departure, &mixture, self.counters);
             }
             let reflect = |m: &PhongMaterial, n, l, v| whitted.phong.reflect(m, n, l, v);
             let lamps = &mut self.lamps[branch.owner as usize];
@@ -124,13 +129,13 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
             };
             let mut asked = Asked { whitted, lamps, counters: self.counters, body, blocked: false };
             let own = whitted.light.gather(
-                &surface,
+                surface,
                 &mixture,
                 branch.ray.direction,
                 reflect,
                 &mut asked,
                 |look, light, reflected| {
-                    shadows.add(look, light, &surface, &departure, branch.owner, throughput * reflected, id)
+                    shadows.add(look, light, surface, &departure, branch.owner, throughput * reflected, id)
                 },
             );
             *radiance += throughput * own;
@@ -157,6 +162,7 @@ impl<I: Copy> Generation<I> {
     /// The mirrored ray of a surface point and the refracted ones. What is mixed of several
     /// materials has one mirror, and a refracted ray for each index of refraction that light can
     /// bend by.
+    #[inline(always)]
     fn add(
         &mut self,
         whitted: &Whitted,

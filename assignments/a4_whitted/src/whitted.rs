@@ -8,6 +8,7 @@ use a3_phong::Phong;
 use common::accel::Accel;
 use common::counters::Counters;
 use common::math::Vec3;
+use common::simd::{self, Simd, dispatch};
 
 /// What is traced, and what is left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -86,7 +87,11 @@ impl Whitted<'_> {
     ) {
         assert!(sights.len() == lamps.len() && sights.len() == radiances.len());
         radiances.fill(Vec3::ZERO);
-        Wave { whitted: self, lamps, counters, recorder, radiances }.run(sights);
+        let mut wave = Wave { whitted: self, lamps, counters, recorder, radiances };
+        dispatch!(simd::level(), s => s.vectorize(
+            #[inline(always)]
+            || wave.run(sights),
+        ));
     }
 }
 

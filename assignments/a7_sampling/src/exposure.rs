@@ -12,6 +12,7 @@ use common::geometry::Hit;
 use common::math::{DVec4, Vec3};
 use common::picture::{Film, Size};
 use common::ray::Ray;
+use common::simd::{self, Simd, dispatch};
 use common::tiles::{Tile, for_each_tile};
 use std::ops::Range;
 use std::sync::Mutex;
@@ -231,7 +232,15 @@ fn collect(wanted: &mut Vec<(Pixel, Range<u32>)>, watch: Option<Watch>, desk: &m
         let (own, rest) = samples.split_at(range.len());
         samples = rest;
         desk.shares.clear();
-        own.iter().for_each(|sample| desk.shares.add(sample.at, sample.color));
+        let shares = &mut desk.shares;
+        dispatch!(simd::level(), s => s.vectorize(
+            #[inline(always)]
+            || {
+                for sample in own {
+                    shares.add(sample.at, sample.color);
+                }
+            },
+        ));
         if let Some(watch) = watch {
             watch(own);
         }

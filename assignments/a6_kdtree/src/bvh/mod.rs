@@ -14,6 +14,7 @@ mod frustum;
 pub(crate) mod packet;
 mod purpose;
 mod set;
+mod sheets;
 pub(crate) mod single;
 mod slabs;
 mod slot;

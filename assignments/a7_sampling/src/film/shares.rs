@@ -42,6 +42,7 @@ impl Shares {
     }
 
     /// Adds a sample at a place of the pixel, counted from its lower left corner.
+    #[inline(always)]
     pub fn add(&mut self, [x, y]: [f64; 2], color: Vec3) {
         let color = color.as_dvec3().extend(1.0);
         let (plain, weighted) = self.sums.split_at_mut(1);
