@@ -18,6 +18,7 @@ pub trait Lamps {
     }
 
     /// The light of one look that arrives at the surface, were nothing in between.
+    #[inline]
     fn look(&mut self, scene: &Scene, index: usize, surface: &Surface) -> Incident {
         incident(&scene.lights[index], surface.point)
     }
@@ -118,6 +119,7 @@ impl LocalLight<'_> {
 /// the normal of the surface itself, which is given if `normal` leans away from it. A smooth one
 /// may lean towards a light that the surface turns its back to; such light would have to come
 /// through the surface, so it does not count.
+#[inline(always)]
 fn adds_nothing(light: &Incident, normal: Vec3, leaning_from: Option<DVec3>) -> Option<Skip> {
     if light.color == Vec3::ZERO {
         return Some(Skip::Dark);

@@ -8,7 +8,6 @@ use a3_phong::Phong;
 use common::accel::Accel;
 use common::counters::Counters;
 use common::math::Vec3;
-use common::simd::{self, Simd, dispatch};
 
 /// What is traced, and what is left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -87,11 +86,7 @@ impl Whitted<'_> {
     ) {
         assert!(sights.len() == lamps.len() && sights.len() == radiances.len());
         radiances.fill(Vec3::ZERO);
-        let mut wave = Wave { whitted: self, lamps, counters, recorder, radiances };
-        dispatch!(simd::level(), s => s.vectorize(
-            #[inline(always)]
-            || wave.run(sights),
-        ));
+        Wave { whitted: self, lamps, counters, recorder, radiances }.run(sights);
     }
 }
 

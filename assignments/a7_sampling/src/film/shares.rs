@@ -3,8 +3,8 @@
 use crate::filter::{Kernel, MOST_RADIUS};
 use common::math::{DVec4, Vec3};
 
-/// Pixels along a side of the square that gets shares, at most: odd.
-const MOST_SIDE: usize = 2 * MOST_RADIUS as usize + 1;
+/// Pixels along a side of the square that gets shares, at most, and up to the next multiple of 4.
+const MOST_SIDE: usize = (2 * MOST_RADIUS as usize + 1).next_multiple_of(4);
 
 /// The sums of one pixel while its samples come in: the plain sum, and weighted colour and weight
 /// for every pixel within the kernel's support.
@@ -26,7 +26,7 @@ impl Shares {
     /// If the kernel reaches further than [`MOST_RADIUS`].
     pub fn new(kernel: Option<Kernel>) -> Self {
         let side = 2 * kernel.map_or(0, |k| k.support()) + 1;
-        assert!(side <= MOST_SIDE, "{kernel:?} reaches too far");
+        assert!(side <= 2 * MOST_RADIUS as usize + 1, "{kernel:?} reaches too far");
         let sums = vec![DVec4::ZERO; Self::sums_per_pixel(kernel)];
         Self { kernel, side, sums }
     }
@@ -50,21 +50,24 @@ impl Shares {
         let Some(kernel) = self.kernel else { return };
         // Pixel (i, j) of the square is i − support to the right and j − support up of this one.
         let (side, support) = (self.side, (self.side / 2) as f64);
-        let offset = |at: f64, i: usize| at - 0.5 - (i as f64 - support);
-        if kernel.axis(0.0).is_none() {
+        let [x, y] = [x - 0.5, y - 0.5];
+        if !kernel.is_product() {
             for (i, sum) in weighted.iter_mut().enumerate() {
-                let (column, row) = (i % side, i / side);
-                *sum += color * kernel.weight(offset(x, column), offset(y, row));
+                let (column, row) = ((i % side) as f64, (i / side) as f64);
+                *sum += color * kernel.weight(x - (column - support), y - (row - support));
             }
             return;
         }
-        let (mut across, mut upward) = ([0.0; MOST_SIDE], [0.0; MOST_SIDE]);
-        for i in 0..side {
-            across[i] = kernel.axis(offset(x, i)).unwrap_or(0.0);
-            upward[i] = kernel.axis(offset(y, i)).unwrap_or(0.0);
+        // Both axes in one row, each up to a multiple of four.
+        let (mut row, used) = ([0.0; 2 * MOST_SIDE], side.next_multiple_of(4));
+        for i in 0..used {
+            let place = i as f64 - support;
+            (row[i], row[used + i]) = (x - place, y - place);
         }
-        for (row, up) in weighted.chunks_exact_mut(side).zip(&upward) {
-            for (sum, along) in row.iter_mut().zip(&across) {
+        kernel.factors(&mut row[..2 * used]);
+        let (across, upward) = row.split_at(used);
+        for (row, up) in weighted.chunks_exact_mut(side).zip(upward) {
+            for (sum, along) in row.iter_mut().zip(across) {
                 *sum += color * (along * up);
             }
         }
