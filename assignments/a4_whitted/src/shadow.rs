@@ -91,12 +91,14 @@ struct Bunch<I> {
 pub struct ShadowRays<'a, 'w, I> {
     whitted: &'a Whitted<'w>,
     bunches: Vec<Bunch<I>>,
+    /// Surface points that they are sent from, at most.
+    points: usize,
 }
 
 impl<'a, 'w, I: Copy> ShadowRays<'a, 'w, I> {
-    /// None yet.
-    pub fn new(whitted: &'a Whitted<'w>) -> Self {
-        Self { whitted, bunches: Vec::new() }
+    /// None yet, of so many surface points at most.
+    pub fn new(whitted: &'a Whitted<'w>, points: usize) -> Self {
+        Self { whitted, bunches: Vec::new(), points }
     }
 
     /// One more, from beside the surface to the light; a light at a point is at t = 1, so that what
@@ -124,7 +126,8 @@ impl<'a, 'w, I: Copy> ShadowRays<'a, 'w, I> {
             }
         };
         while self.bunches.len() <= look {
-            self.bunches.push(Bunch { rays: Vec::new(), promises: Vec::new(), interval });
+            let (rays, promises) = (Vec::with_capacity(self.points), Vec::with_capacity(self.points));
+            self.bunches.push(Bunch { rays, promises, interval });
         }
         let bunch = &mut self.bunches[look];
         bunch.interval = interval;

@@ -105,8 +105,9 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
     fn shade(&mut self, branches: &[Branch<R::Id>], hits: &[Option<Hit>]) -> Vec<Branch<R::Id>> {
         let whitted = self.whitted;
         let geometry = whitted.accel.geometry();
-        let mut next = Generation { mirrored: Vec::new(), refracted: Vec::new() };
-        let mut shadows = ShadowRays::new(whitted);
+        let most = branches.len();
+        let mut next = Generation { mirrored: Vec::with_capacity(most), refracted: Vec::with_capacity(most) };
+        let mut shadows = ShadowRays::new(whitted, most);
         for (branch, hit) in branches.iter().zip(hits) {
             let id = self.recorder.ray(branch.parent, branch.kind, &branch.ray, *hit, branch.weight);
             let radiance = &mut self.radiances[branch.owner as usize];

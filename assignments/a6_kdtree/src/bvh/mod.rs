@@ -5,6 +5,7 @@
 //! boxes at once (Dammertz, Hanika & Keller 2008; Wald, Benthin & Boulos 2008). Leaves are blocks
 //! of eight triangles, as the list has them.
 
+mod aside;
 mod beam;
 pub(crate) mod build;
 mod bundle;

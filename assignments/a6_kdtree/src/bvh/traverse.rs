@@ -51,12 +51,36 @@ impl Bvh<'_> {
         best: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
-        self.follow(simd, rays, interval, &mut Nearest { interval, best, stack: Stack::new() }, c);
+        let mut stack = Stack::new();
+        self.for_each_run(
+            rays,
+            interval,
+            #[inline(always)]
+            |run| {
+                let best = &mut best[run.clone()];
+                self.follow(
+                    simd,
+                    &rays[run],
+                    interval,
+                    &mut Nearest { interval, best, stack: &mut stack },
+                    c,
+                );
+            },
+        );
     }
 
     #[inline(always)]
     fn any_in<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
-        self.follow(simd, rays, interval, &mut Blocked { interval, hit, stack: Stack::new() }, c);
+        let mut stack = Stack::new();
+        self.for_each_run(
+            rays,
+            interval,
+            #[inline(always)]
+            |run| {
+                let hit = &mut hit[run.clone()];
+                self.follow(simd, &rays[run], interval, &mut Blocked { interval, hit, stack: &mut stack }, c);
+            },
+        );
     }
 }
 
