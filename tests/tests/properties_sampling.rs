@@ -59,8 +59,8 @@ fn pixel(kernel: Kernel, sampler: &dyn Sampler, samples: u32, regions: &[Region;
         }
         // Where pixel (i, j) sees the middle one in its square.
         let (right, up) = (side - 1 - i, side - 1 - j);
-        weights += shares.sums()[(up * side + right) as usize].w;
-        negative.add(i, j, &shares);
+        weights += shares.sums()[(1 + up * side + right) as usize].w;
+        negative.add(i, j, shares.sums());
     }
     (negative.pixel(support, support), weights)
 }
@@ -146,7 +146,7 @@ fn p15_weights_sum_to_one() {
             for (x, y) in pixels() {
                 shares.clear();
                 (0..16).for_each(|sample| shares.add(sampler.pair((x, y), sample, pair::PIXEL), color));
-                negative.add(x, y, &shares);
+                negative.add(x, y, shares.sums());
             }
             for (x, y) in pixels() {
                 let off = (negative.pixel(x, y) / color - Vec3::ONE).abs().max_element();

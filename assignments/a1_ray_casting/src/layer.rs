@@ -24,6 +24,7 @@ pub struct Sight<'a> {
 
 impl<'a> Sight<'a> {
     /// A sight whose surface is not yet worked out.
+    #[inline]
     pub fn new(geometry: &'a Geometry, ray: Ray, hit: Option<Hit>) -> Self {
         Self { ray, hit, work_before: 0, geometry, surface: OnceCell::new() }
     }

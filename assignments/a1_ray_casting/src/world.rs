@@ -7,6 +7,7 @@
 use common::geometry::Surface;
 use common::math::Vec3;
 use common::scene::{Material, PhongMaterial, Scene};
+use std::borrow::Cow;
 
 /// A scene in which every surface point is known to be made of something.
 pub trait World: Sync {
@@ -28,16 +29,16 @@ pub enum Mixture<'a> {
     /// One material, unmixed.
     Plain(&'a PhongMaterial),
     /// Several, or one that exists at this point only; their weights sum to 1.
-    Blend(Vec<Part>),
+    Blend(Vec<Part<'a>>),
 }
 
 /// One material of a [`Mixture`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part {
+pub struct Part<'a> {
     /// Its share, above 0 and at most 1.
     pub weight: f32,
     /// What it is like here.
-    pub material: PhongMaterial,
+    pub material: Cow<'a, PhongMaterial>,
 }
 
 impl Mixture<'_> {
@@ -56,7 +57,7 @@ impl Mixture<'_> {
             Self::Plain(material) => (Some(material), &[]),
             Self::Blend(parts) => (None, parts),
         };
-        one.into_iter().map(|m| (1.0, m)).chain(several.iter().map(|p| (p.weight, &p.material)))
+        one.into_iter().map(|m| (1.0, m)).chain(several.iter().map(|p| (p.weight, &*p.material)))
     }
 }
 
@@ -93,7 +94,7 @@ mod tests {
 
     #[test]
     fn a_blend_is_the_weighted_sum() {
-        let part = |weight, level| Part { weight, material: grey(level) };
+        let part = |weight, level| Part { weight, material: Cow::Owned(grey(level)) };
         let mixture = Mixture::Blend(vec![part(0.25, 1.0), part(0.5, 0.5), part(0.25, 0.0)]);
         assert_eq!(mixture.blend(|m| m.diffuse), Vec3::splat(0.5));
         assert_eq!(mixture.parts().map(|(weight, _)| weight).sum::<f32>(), 1.0);

@@ -7,7 +7,7 @@ use tests::workspace_file;
 
 const PROGRAM: Binary = Binary { path: env!("CARGO_BIN_EXE_a1_ray_casting"), assignment: 1 };
 
-tests::battery!(PROGRAM, ["-input", "-output", "-size", "-depth", "-threads", "-stats"]);
+tests::battery!(PROGRAM);
 
 #[test]
 fn wrong_values_of_its_own_flags_are_refused() {

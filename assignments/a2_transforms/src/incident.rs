@@ -23,8 +23,19 @@ pub struct Incident {
     pub source: Source,
 }
 
-/// The light that arrives at `point` from one source. Light spheres send it from their centre.
+/// Where the light of a source comes from. Light spheres send it from their centre.
 #[inline]
+pub fn source(light: &LightSpec) -> Source {
+    match light.kind {
+        LightKind::Directional { direction } => Source::Direction(-direction),
+        LightKind::Point { position, .. } | LightKind::Sphere { center: position, .. } => {
+            Source::Point(position)
+        }
+    }
+}
+
+/// The light that arrives at `point` from one source. Light spheres send it from their centre.
+#[inline(always)]
 pub fn incident(light: &LightSpec, point: DVec3) -> Incident {
     match light.kind {
         LightKind::Directional { direction } => {
@@ -43,7 +54,7 @@ pub fn incident(light: &LightSpec, point: DVec3) -> Incident {
 }
 
 /// What is left of light at a distance: 1 / (a0 + a1·d + a2·d²), and 0 where that would not be a positive number.
-#[inline]
+#[inline(always)]
 pub fn falloff([a0, a1, a2]: [f32; 3], distance: f64) -> f32 {
     let denominator = f64::from(a0) + f64::from(a1) * distance + f64::from(a2) * distance * distance;
     if denominator > 0.0 { (1.0 / denominator) as f32 } else { 0.0 }

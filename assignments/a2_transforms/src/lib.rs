@@ -13,7 +13,7 @@ mod normals;
 
 pub use args::{DiffuseArgs, Program};
 pub use diffuse::{DiffuseColor, diffuse};
-pub use incident::{Incident, Source, falloff, incident};
+pub use incident::{Incident, Source, falloff, incident, source};
 pub use local::{Centres, Lamps, LocalLight};
 pub use normals::Normals;
 

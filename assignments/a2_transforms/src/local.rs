@@ -1,6 +1,6 @@
 //! A2T2: light at a surface point, straight from the sources.
 
-use crate::{Incident, incident};
+use crate::{Incident, Source, incident, source};
 use a1_ray_casting::Mixture;
 use common::cli::Skip;
 use common::geometry::Surface;
@@ -18,8 +18,15 @@ pub trait Lamps {
     }
 
     /// The light of one look that arrives at the surface, were nothing in between.
+    #[inline]
     fn look(&mut self, scene: &Scene, index: usize, surface: &Surface) -> Incident {
         incident(&scene.lights[index], surface.point)
+    }
+
+    /// Where the light of one look comes from, if that is known without looking and nothing is
+    /// missed by not looking.
+    fn source(&self, _scene: &Scene, _index: usize) -> Option<Source> {
+        None
     }
 
     /// Told that a look adds nothing here, and why; returns whether to leave it out.
@@ -31,7 +38,11 @@ pub trait Lamps {
 /// One look for each light, at its centre.
 pub struct Centres;
 
-impl Lamps for Centres {}
+impl Lamps for Centres {
+    fn source(&self, scene: &Scene, index: usize) -> Option<Source> {
+        Some(source(&scene.lights[index]))
+    }
+}
 
 /// The scene's lights, and how surfaces seen from behind are treated.
 #[derive(Clone, Copy)]
@@ -68,6 +79,7 @@ impl LocalLight<'_> {
     ///
     /// A surface seen from behind is black, its own light included, unless `shade_back` turns its
     /// normal round first.
+    #[inline(always)]
     pub fn gather(
         &self,
         surface: &Surface,
@@ -107,6 +119,7 @@ impl LocalLight<'_> {
 /// the normal of the surface itself, which is given if `normal` leans away from it. A smooth one
 /// may lean towards a light that the surface turns its back to; such light would have to come
 /// through the surface, so it does not count.
+#[inline(always)]
 fn adds_nothing(light: &Incident, normal: Vec3, leaning_from: Option<DVec3>) -> Option<Skip> {
     if light.color == Vec3::ZERO {
         return Some(Skip::Dark);

@@ -5,22 +5,7 @@ use tests::binary::Binary;
 
 const PROGRAM: Binary = Binary { path: env!("CARGO_BIN_EXE_a3_phong"), assignment: 3 };
 
-tests::battery!(
-    PROGRAM,
-    [
-        "-input",
-        "-output",
-        "-size",
-        "-depth",
-        "-threads",
-        "-stats",
-        "-normals",
-        "-shade_back",
-        "-gui",
-        "-tessellation",
-        "-gouraud"
-    ]
-);
+tests::battery!(PROGRAM);
 
 #[test]
 fn wrong_values_of_its_own_flags_are_refused() {

@@ -38,7 +38,7 @@ fn pane(material: &PhongMaterial, black: bool) -> Option<Pane> {
 }
 
 fn blended_panes(parts: &[Part], black: bool) -> impl Iterator<Item = Pane> {
-    let parts = parts.iter().map(|part| (part.weight, &part.material));
+    let parts = parts.iter().map(|part| (part.weight, &*part.material));
     let clear = move || parts.clone().filter(move |(_, m)| black || m.transparent != Vec3::ZERO);
     let earlier = clear.clone();
     let first = move |(i, index): &(usize, f32)| {
@@ -66,6 +66,7 @@ pub fn opaque_mirror(mixture: &Mixture) -> Vec3 {
 /// The mirrored direction, about the smooth normal if there is one. Where that would point to
 /// the other side of the surface, as it may at grazing incidence, it is taken about the
 /// geometric normal: a mirror never lets light through, and has no black specks.
+#[inline]
 pub fn mirrored_direction(incoming: DVec3, surface: &Surface) -> DVec3 {
     let flat = || mirror(incoming, surface.geometric_normal);
     if !surface.is_smooth() {
@@ -78,6 +79,7 @@ pub fn mirrored_direction(incoming: DVec3, surface: &Surface) -> DVec3 {
 
 /// Refraction at the smooth normal if there is one; at the geometric normal where the refracted
 /// ray would not get through the surface, so that inside and outside stay what they are.
+#[inline]
 pub fn crossing(incoming: DVec3, surface: &Surface, index_of_refraction: f32) -> Crossing {
     let index = f64::from(index_of_refraction);
     let flat = || refract(incoming, surface.geometric_normal, index);
@@ -97,13 +99,14 @@ fn side(incoming: DVec3, surface: &Surface) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::borrow::Cow;
 
-    fn glass(weight: f32, level: f32, index_of_refraction: f32) -> Part {
+    fn glass(weight: f32, level: f32, index_of_refraction: f32) -> Part<'static> {
         let transparent = Vec3::splat(level);
         let reflective = Vec3::splat(1.0 - level);
         let material =
             PhongMaterial { transparent, reflective, index_of_refraction, ..PhongMaterial::default() };
-        Part { weight, material }
+        Part { weight, material: Cow::Owned(material) }
     }
 
     #[test]

@@ -25,9 +25,9 @@ pub struct Asked<'a, 'w, L: Lamps> {
 }
 
 /// Whether light comes to the inner side of a body's surface from outside its box.
-fn comes_through(light: &Incident, surface: &Surface, body: &Bounds) -> bool {
+fn comes_through(source: &Source, surface: &Surface, body: &Bounds) -> bool {
     let outside = |p: Vec3| p.cmplt(body.min).any() || p.cmpgt(body.max).any();
-    let towards = match light.source {
+    let towards = match *source {
         Source::Direction(towards) => towards.as_vec3().as_dvec3(),
         Source::Point(position) if outside(position.as_vec3()) => position - surface.point,
         Source::Point(_) => return false,
@@ -40,13 +40,22 @@ impl<L: Lamps> Lamps for Asked<'_, '_, L> {
         self.lamps.looks(scene)
     }
 
+    #[inline(always)]
     fn look(&mut self, scene: &Scene, index: usize, surface: &Surface) -> Incident {
-        let mut light = self.lamps.look(scene, index, surface);
-        self.blocked = self.body.is_some_and(|body| comes_through(&light, surface, &body));
-        if self.blocked {
-            light.color = Vec3::ZERO;
+        self.blocked = false;
+        let Some(body) = self.body else { return self.lamps.look(scene, index, surface) };
+        let dark = |source| Incident { direction: Vec3::ZERO, color: Vec3::ZERO, source };
+        if let Some(source) = self.lamps.source(scene, index) {
+            self.blocked = comes_through(&source, surface, &body);
+            return if self.blocked { dark(source) } else { self.lamps.look(scene, index, surface) };
         }
-        light
+        let light = self.lamps.look(scene, index, surface);
+        self.blocked = comes_through(&light.source, surface, &body);
+        if self.blocked { dark(light.source) } else { light }
+    }
+
+    fn source(&self, scene: &Scene, index: usize) -> Option<Source> {
+        self.lamps.source(scene, index)
     }
 
     fn skip(&mut self, why: Skip) -> bool {
@@ -82,17 +91,20 @@ struct Bunch<I> {
 pub struct ShadowRays<'a, 'w, I> {
     whitted: &'a Whitted<'w>,
     bunches: Vec<Bunch<I>>,
+    /// Surface points that they are sent from, at most.
+    points: usize,
 }
 
 impl<'a, 'w, I: Copy> ShadowRays<'a, 'w, I> {
-    /// None yet.
-    pub fn new(whitted: &'a Whitted<'w>) -> Self {
-        Self { whitted, bunches: Vec::new() }
+    /// None yet, of so many surface points at most.
+    pub fn new(whitted: &'a Whitted<'w>, points: usize) -> Self {
+        Self { whitted, bunches: Vec::new(), points }
     }
 
     /// One more, from beside the surface to the light; a light at a point is at t = 1, so that what
     /// stands behind it casts no shadow. Without shadows it is as good as sent.
     #[expect(clippy::too_many_arguments, reason = "a ray, what it is for, and who made it")]
+    #[inline(always)]
     pub fn add(
         &mut self,
         look: usize,
@@ -114,7 +126,8 @@ impl<'a, 'w, I: Copy> ShadowRays<'a, 'w, I> {
             }
         };
         while self.bunches.len() <= look {
-            self.bunches.push(Bunch { rays: Vec::new(), promises: Vec::new(), interval });
+            let (rays, promises) = (Vec::with_capacity(self.points), Vec::with_capacity(self.points));
+            self.bunches.push(Bunch { rays, promises, interval });
         }
         let bunch = &mut self.bunches[look];
         bunch.interval = interval;

@@ -15,6 +15,7 @@ use common::geometry::{Departure, Hit, Surface};
 use common::math::{DVec3, Interval, Vec3};
 use common::ray::Ray;
 use common::scene::PhongMaterial;
+use common::simd::{self, Simd, dispatch};
 
 /// An owner with more rays than this in one generation is finished alone, last rays first, so that
 /// memory is needed for the depth of its tree and not for its width.
@@ -66,7 +67,7 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
         };
         let branches: Vec<_> = (0..).zip(sights).map(camera).collect();
         let hits: Vec<_> = sights.iter().map(|sight| sight.hit).collect();
-        let mut next = self.follow(&branches, &hits, |i| sights[i].surface().copied());
+        let mut next = self.follow(&branches, &hits);
         let mut alone = Vec::new();
         while !next.is_empty() {
             set_aside_wide(&mut next, sights.len(), &mut alone);
@@ -87,50 +88,58 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
         self.counters.rays += rays.len() as u64;
         let accel = self.whitted.accel;
         accel.nearest_many(&rays, Interval::FORWARD, &mut hits, self.counters);
-        let geometry = accel.geometry();
-        self.follow(branches, &hits, |i| hits[i].map(|hit| geometry.surface(&rays[i], &hit)))
+        self.follow(branches, &hits)
     }
 
     /// Adds what rays bring by themselves and by the lights; returns the rays that come of them.
-    fn follow(
-        &mut self,
-        branches: &[Branch<R::Id>],
-        hits: &[Option<Hit>],
-        surface: impl Fn(usize) -> Option<Surface>,
-    ) -> Vec<Branch<R::Id>> {
+    fn follow(&mut self, branches: &[Branch<R::Id>], hits: &[Option<Hit>]) -> Vec<Branch<R::Id>> {
+        dispatch!(simd::level(), s => s.vectorize(
+            #[inline(always)]
+            || self.shade(branches, hits),
+        ))
+    }
+
+    /// The same with the instructions that are there. None of them fuses or reorders what is
+    /// written here, so all give the same bits.
+    #[inline(always)]
+    fn shade(&mut self, branches: &[Branch<R::Id>], hits: &[Option<Hit>]) -> Vec<Branch<R::Id>> {
         let whitted = self.whitted;
-        let mut next = Generation { mirrored: Vec::new(), refracted: Vec::new() };
-        let mut shadows = ShadowRays::new(whitted);
-        for (i, branch) in branches.iter().enumerate() {
-            let id = self.recorder.ray(branch.parent, branch.kind, &branch.ray, hits[i], branch.weight);
+        let geometry = whitted.accel.geometry();
+        let most = branches.len();
+        let mut next = Generation { mirrored: Vec::with_capacity(most), refracted: Vec::with_capacity(most) };
+        let mut shadows = ShadowRays::new(whitted, most);
+        for (branch, hit) in branches.iter().zip(hits) {
+            let id = self.recorder.ray(branch.parent, branch.kind, &branch.ray, *hit, branch.weight);
             let radiance = &mut self.radiances[branch.owner as usize];
-            let (Some(hit), Some(surface)) = (hits[i], surface(i)) else {
+            let Some(hit) = hit else {
                 *radiance += branch.throughput * whitted.scene.as_scene().background.color;
                 continue;
             };
-            let mixture = whitted.scene.at(&surface);
+            let surface = &geometry.surface(&branch.ray, hit);
+            let mixture = whitted.scene.at(surface);
             let departure = surface.departure();
             let incoming = branch.ray.direction.as_dvec3();
-            let throughput = branch.throughput * inside(&mixture, &surface, incoming, hit.t);
+            let throughput = branch.throughput * inside(&mixture, surface, incoming, hit.t);
             let at = Branch { throughput, parent: id, ..*branch };
             if branch.depth < whitted.rules.bounces {
-                next.add(whitted, &at, &surface, &departure, &mixture, self.counters);
+                next.add(whitted, &at, surface, &departure, &mixture, self.counters);
             }
             let reflect = |m: &PhongMaterial, n, l, v| whitted.phong.reflect(m, n, l, v);
             let lamps = &mut self.lamps[branch.owner as usize];
             let body = match whitted.skips_inside() && incoming.dot(surface.geometric_normal) > 0.0 {
-                true => whitted.accel.geometry().convex_body(surface.primitive),
+                true => geometry.convex_body(surface.primitive),
                 false => None,
             };
             let mut asked = Asked { whitted, lamps, counters: self.counters, body, blocked: false };
             let own = whitted.light.gather(
-                &surface,
+                surface,
                 &mixture,
                 branch.ray.direction,
                 reflect,
                 &mut asked,
+                #[inline(always)]
                 |look, light, reflected| {
-                    shadows.add(look, light, &surface, &departure, branch.owner, throughput * reflected, id)
+                    shadows.add(look, light, surface, &departure, branch.owner, throughput * reflected, id)
                 },
             );
             *radiance += throughput * own;
@@ -157,6 +166,7 @@ impl<I: Copy> Generation<I> {
     /// The mirrored ray of a surface point and the refracted ones. What is mixed of several
     /// materials has one mirror, and a refracted ray for each index of refraction that light can
     /// bend by.
+    #[inline(always)]
     fn add(
         &mut self,
         whitted: &Whitted,

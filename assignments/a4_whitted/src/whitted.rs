@@ -62,6 +62,15 @@ impl Whitted<'_> {
         radiance[0]
     }
 
+    /// The same of many camera rays, unwatched.
+    ///
+    /// # Panics
+    /// If the slices differ in length.
+    pub fn radiances_of_points(&self, sights: &[Sight], counters: &mut Counters, radiances: &mut [Vec3]) {
+        let mut lamps: Vec<Centres> = sights.iter().map(|_| Centres).collect();
+        self.radiances(sights, &mut lamps, counters, &mut NoRecord, radiances);
+    }
+
     /// The same of many camera rays, each with its own way to look at lights. What one of them
     /// brings does not depend on the others, to the last bit; together they are faster.
     ///
@@ -93,7 +102,6 @@ impl Layer for WhittedColor<'_> {
     }
 
     fn values(&self, sights: &[Sight], counters: &mut Counters, out: &mut [Vec3]) {
-        let mut lamps: Vec<Centres> = sights.iter().map(|_| Centres).collect();
-        self.whitted.radiances(sights, &mut lamps, counters, &mut NoRecord, out);
+        self.whitted.radiances_of_points(sights, counters, out);
     }
 }

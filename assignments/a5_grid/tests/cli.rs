@@ -8,29 +8,7 @@ use tests::workspace_file;
 
 const PROGRAM: Binary = Binary { path: env!("CARGO_BIN_EXE_a5_grid"), assignment: 5 };
 
-tests::battery!(
-    PROGRAM,
-    [
-        "-input",
-        "-output",
-        "-size",
-        "-depth",
-        "-threads",
-        "-stats",
-        "-normals",
-        "-shade_back",
-        "-gui",
-        "-tessellation",
-        "-gouraud",
-        "-shadows",
-        "-bounces",
-        "-weight",
-        "-transparent_shadows",
-        "-grid",
-        "-visualize_grid",
-        "-visualize_grid_count"
-    ]
-);
+tests::battery!(PROGRAM);
 
 #[test]
 fn wrong_values_of_its_own_flags_are_refused() {

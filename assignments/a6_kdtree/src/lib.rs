@@ -60,7 +60,7 @@ pub trait Step {
 }
 
 /// This step: one ray through the centre of every pixel.
-struct Plain;
+pub struct Plain;
 
 impl Step for Plain {
     fn draw(

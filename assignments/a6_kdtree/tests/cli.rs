@@ -6,35 +6,7 @@ use tests::binary::Binary;
 
 const PROGRAM: Binary = Binary { path: env!("CARGO_BIN_EXE_a6_kdtree"), assignment: 6 };
 
-tests::battery!(
-    PROGRAM,
-    [
-        "-input",
-        "-output",
-        "-size",
-        "-depth",
-        "-threads",
-        "-stats",
-        "-normals",
-        "-shade_back",
-        "-gui",
-        "-tessellation",
-        "-gouraud",
-        "-shadows",
-        "-bounces",
-        "-weight",
-        "-transparent_shadows",
-        "-grid",
-        "-visualize_grid",
-        "-visualize_grid_count",
-        "-accel",
-        "-kdtree",
-        "-kd_max_depth",
-        "-kd_leaf",
-        "-visualize_kdtree",
-        "-heat"
-    ]
-);
+tests::battery!(PROGRAM);
 
 #[test]
 fn wrong_values_of_its_own_flags_are_refused() {

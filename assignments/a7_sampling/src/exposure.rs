@@ -9,9 +9,10 @@ use common::accel::Accel;
 use common::camera::screen_position;
 use common::counters::Counters;
 use common::geometry::Hit;
-use common::math::Vec3;
+use common::math::{DVec4, Vec3};
 use common::picture::{Film, Size};
 use common::ray::Ray;
+use common::simd::{self, Simd, dispatch};
 use common::tiles::{Tile, for_each_tile};
 use std::ops::Range;
 use std::sync::Mutex;
@@ -63,14 +64,33 @@ pub struct Exposure<'a> {
 }
 
 /// What a thread works with.
-#[derive(Default)]
 struct Desk {
     samples: Vec<Sample>,
     rays: Vec<Ray>,
     hits: Vec<Option<Hit>>,
     names: Vec<(Pixel, u32)>,
     radiances: Vec<Vec3>,
+    /// Of one pixel.
+    shares: Shares,
+    /// Of all pixels of a tile that have samples: whose they are, and the sums of one after the
+    /// other.
+    given: (Vec<Pixel>, Vec<DVec4>),
     counters: Counters,
+}
+
+impl Desk {
+    fn new(kernel: Option<Kernel>) -> Self {
+        Self {
+            samples: Vec::new(),
+            rays: Vec::new(),
+            hits: Vec::new(),
+            names: Vec::new(),
+            radiances: Vec::new(),
+            shares: Shares::new(kernel),
+            given: (Vec::new(), Vec::new()),
+            counters: Counters::default(),
+        }
+    }
 }
 
 /// What else looks at the samples while they are there.
@@ -106,29 +126,38 @@ impl Exposure<'_> {
         let Ok(part) = Size::new(i64::from(width), i64::from(height)) else { return Counters::default() };
         let negative = Mutex::new(negative);
         let options = self.cast.general.tile_options("rendering");
-        let finished = for_each_tile(part, &options, Desk::default, |desk, tile| {
+        let stride = Shares::sums_per_pixel(self.kernel);
+        let make_desk = || Desk::new(self.kernel);
+        let finished = for_each_tile(part, &options, make_desk, |desk, tile| {
             let tile = Tile { y0: tile.y0 + rows.start, y1: tile.y1 + rows.start, ..tile };
-            let given = self.tile(tile, which, watch, desk);
+            self.tile(tile, which, watch, desk);
             // Held for the copy of one tile only, which is short beside computing it.
             let mut negative = negative.lock().expect("adding does not panic");
-            given.iter().for_each(|((x, y), shares)| negative.add(*x, *y, shares));
+            let (pixels, sums) = &desk.given;
+            pixels
+                .iter()
+                .zip(sums.chunks_exact(stride))
+                .for_each(|((x, y), sums)| negative.add(*x, *y, sums));
         });
         let mut counters = Counters::default();
         finished.states.iter().for_each(|desk| counters += desk.counters);
         counters
     }
 
-    /// What the samples of a tile give, pixel by pixel; pixels without samples are left out.
+    /// Leaves on the desk what the samples of a tile give, pixel by pixel; pixels without samples
+    /// are left out.
     fn tile(
         &self,
         tile: Tile,
         which: &(dyn Fn(Pixel) -> Range<u32> + Sync),
         watch: Option<Watch>,
         desk: &mut Desk,
-    ) -> Vec<(Pixel, Shares)> {
+    ) {
+        desk.given.0.clear();
+        desk.given.1.clear();
         let rays: u64 = tile.pixels().map(|pixel| which(pixel).len() as u64).sum();
         if rays == 0 {
-            return Vec::new();
+            return;
         }
         let search = match self.aperture {
             None => !self.studio.skips(self.cast, tile, rays, &mut desk.counters),
@@ -137,7 +166,6 @@ impl Exposure<'_> {
                 true
             }
         };
-        let mut given = Vec::new();
         let mut waiting: Vec<(Pixel, Range<u32>)> = Vec::new();
         let mut count = 0;
         for pixel in tile.pixels() {
@@ -149,13 +177,12 @@ impl Exposure<'_> {
             waiting.push((pixel, range));
             if count >= TOGETHER {
                 self.trace(&waiting, search, desk);
-                self.collect(&mut waiting, watch, desk, &mut given);
+                collect(&mut waiting, watch, desk);
                 count = 0;
             }
         }
         self.trace(&waiting, search, desk);
-        self.collect(&mut waiting, watch, desk, &mut given);
-        given
+        collect(&mut waiting, watch, desk);
     }
 
     /// Traces and shades samples, which are left on the desk in order.
@@ -196,26 +223,29 @@ impl Exposure<'_> {
             }
         }
     }
+}
 
-    /// Adds up the samples on the desk, pixel by pixel.
-    fn collect(
-        &self,
-        wanted: &mut Vec<(Pixel, Range<u32>)>,
-        watch: Option<Watch>,
-        desk: &Desk,
-        given: &mut Vec<(Pixel, Shares)>,
-    ) {
-        let mut samples = &desk.samples[..];
-        for (pixel, range) in wanted.drain(..) {
-            let (own, rest) = samples.split_at(range.len());
-            samples = rest;
-            let mut shares = Shares::new(self.kernel);
-            own.iter().for_each(|sample| shares.add(sample.at, sample.color));
-            if let Some(watch) = watch {
-                watch(own);
-            }
-            given.push((pixel, shares));
+/// Adds up the samples on the desk, pixel by pixel.
+fn collect(wanted: &mut Vec<(Pixel, Range<u32>)>, watch: Option<Watch>, desk: &mut Desk) {
+    let mut samples = &desk.samples[..];
+    for (pixel, range) in wanted.drain(..) {
+        let (own, rest) = samples.split_at(range.len());
+        samples = rest;
+        desk.shares.clear();
+        let shares = &mut desk.shares;
+        dispatch!(simd::level(), s => s.vectorize(
+            #[inline(always)]
+            || {
+                for sample in own {
+                    shares.add(sample.at, sample.color);
+                }
+            },
+        ));
+        if let Some(watch) = watch {
+            watch(own);
         }
+        desk.given.0.push(pixel);
+        desk.given.1.extend_from_slice(desk.shares.sums());
     }
 }
 

@@ -96,8 +96,8 @@ impl PatternArgs {
 
     /// When pixels have enough samples, if they are to have different numbers of them.
     pub fn plan(&self) -> Option<Adaptive> {
-        let error = self.adaptive?;
-        Some(Adaptive { error, most: self.samples.unwrap_or(MOST_SAMPLES) })
+        let (error, (_, most)) = self.adaptive.zip(self.choice())?;
+        Some(Adaptive { error, most })
     }
 
     /// The picture of the samples and its zoom.

@@ -4,12 +4,11 @@ use crate::aperture::Aperture;
 use crate::light::SoftLights;
 use crate::picture::{SamplesPicture, counts_picture, kernel_picture};
 use crate::sampler::{Pattern, Pixel};
-use crate::{Exposure, Sample, SamplingArgs, Shade, smoothed};
+use crate::{Exposure, Sample, Sampler, SamplingArgs, Shade, smoothed};
 use a1_ray_casting::{Report, Sight, Studio, World};
-use a2_transforms::Centres;
 use a4_whitted::{NoRecord, Whitted};
 use a6_kdtree::texture::TexturedScene;
-use a6_kdtree::{AccelArgs, Step};
+use a6_kdtree::{AccelArgs, Plain, Step};
 use common::accel::Accel;
 use common::camera::Camera;
 use common::cli::{self, AppError};
@@ -53,10 +52,7 @@ impl Shade for SoftWhitted<'_> {
     ) {
         let whitted = &self.whitted;
         match &self.lights {
-            None => {
-                let mut lamps: Vec<Centres> = sights.iter().map(|_| Centres).collect();
-                whitted.radiances(sights, &mut lamps, counters, &mut NoRecord, radiances);
-            }
+            None => whitted.radiances_of_points(sights, counters, radiances),
             Some(lights) => {
                 let of_sample = |(pixel, sample): &(Pixel, u32)| lights.of_sample(*pixel, *sample);
                 let mut lamps: Vec<_> = samples.iter().map(of_sample).collect();
@@ -85,9 +81,11 @@ impl Step for Sampled<'_> {
     ) -> Result<(), AppError> {
         let (whitted, lights) = (&args.grid.whitted, self.lights(studio, scene));
         self.draw_kernel(studio, report)?;
-        if self.is_plain(studio, lights.as_ref()) {
-            let heat = args.heat_picture().into_iter().collect();
-            return a4_whitted::expose(whitted, studio, scene, accel, heat, report);
+        if studio.camera.lens.is_some() && self.args.pattern.choice().is_none() {
+            cli::warn("the lens has no effect without samples: give -samples N");
+        }
+        if self.is_plain(lights.as_ref()) {
+            return Plain.draw(args, studio, scene, accel, report);
         }
         let shade = SoftWhitted { whitted: whitted.whitted(scene, accel), lights };
         whitted.print_ray_tree(studio, &shade.whitted, report)?;
@@ -100,12 +98,8 @@ impl Step for Sampled<'_> {
 
 impl Sampled<'_> {
     /// Whether the steps below draw this as it is.
-    fn is_plain(&self, studio: &Studio, lights: Option<&SoftLights>) -> bool {
+    fn is_plain(&self, lights: Option<&SoftLights>) -> bool {
         let args = self.args;
-        let lens = studio.camera.lens.is_some();
-        if lens && args.pattern.choice().is_none() {
-            cli::warn("the lens has no effect without samples: give -samples N");
-        }
         let smooths = args.effects.smooth || args.effects.smooth_edges.is_some();
         let samples = args.pattern.choice().is_some() || args.pattern.render_samples.is_some();
         let filters = args.filter.kernel().is_ok_and(|kernel| kernel.is_some());
@@ -117,6 +111,12 @@ impl Sampled<'_> {
         self.args.pattern.choice().unwrap_or((Pattern::Uniform, 1))
     }
 
+    /// So many points of a pattern for every pixel of the picture.
+    fn sampler(&self, studio: &Studio, pattern: Pattern, samples: u32) -> Box<dyn Sampler> {
+        let side = studio.size.width().max(studio.size.height());
+        pattern.sampler(samples, side, self.args.pattern.seed)
+    }
+
     /// The scene's lights if any of them has an extent.
     fn lights<'s>(&self, studio: &'s Studio, scene: &'s TexturedScene<'s>) -> Option<SoftLights<'s>> {
         if self.args.effects.hard_lights {
@@ -126,8 +126,7 @@ impl Sampled<'_> {
         let each = self.args.effects.light_samples.unwrap_or(LOOKS_PER_PIXEL.div_ceil(samples));
         // One sample at the centre says nothing of where to look at lights.
         let pattern = self.args.pattern.choice().map_or(Pattern::default(), |(pattern, _)| pattern);
-        let side = studio.size.width().max(studio.size.height());
-        let sampler = pattern.sampler(samples.saturating_mul(each), side, self.args.pattern.seed);
+        let sampler = self.sampler(studio, pattern, samples.saturating_mul(each));
         let world: &dyn World = scene;
         let lights = SoftLights::new(&studio.geometry, world, each, sampler);
         if lights.endless() > 0 {
@@ -160,8 +159,7 @@ impl Sampled<'_> {
             return Ok(());
         }
         let (pattern, samples) = self.pattern();
-        let side = studio.size.width().max(studio.size.height());
-        let sampler = pattern.sampler(samples, side, plan.seed);
+        let sampler = self.sampler(studio, pattern, samples);
         let lens = studio.camera.lens.filter(|_| plan.choice().is_some());
         let exposure = Exposure {
             studio,

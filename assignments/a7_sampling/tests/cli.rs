@@ -7,54 +7,7 @@ use tests::binary::Binary;
 
 const PROGRAM: Binary = Binary { path: env!("CARGO_BIN_EXE_a7_sampling"), assignment: 7 };
 
-tests::battery!(
-    PROGRAM,
-    [
-        "-input",
-        "-output",
-        "-size",
-        "-depth",
-        "-threads",
-        "-stats",
-        "-normals",
-        "-shade_back",
-        "-gui",
-        "-tessellation",
-        "-gouraud",
-        "-shadows",
-        "-bounces",
-        "-weight",
-        "-grid",
-        "-visualize_grid",
-        "-random_samples",
-        "-uniform_samples",
-        "-jittered_samples",
-        "-render_samples",
-        "-box_filter",
-        "-tent_filter",
-        "-gaussian_filter",
-        "-render_filter",
-        "-sampler",
-        "-samples",
-        "-seed",
-        "-filter",
-        "-adaptive",
-        "-samples_image",
-        "-aperture",
-        "-focal_distance",
-        "-blades",
-        "-light_samples",
-        "-hard_lights",
-        "-smooth",
-        "-smooth_edges",
-        "-zoom",
-        "-orbit",
-        "-rotate",
-        "-twist",
-        "-shift",
-        "-move_screen"
-    ]
-);
+tests::battery!(PROGRAM);
 
 #[test]
 fn wrong_patterns_and_filters_are_refused() {

@@ -4,6 +4,7 @@
 //! wrong, no trace of a panic, no file left behind and none touched.
 
 pub mod course;
+pub mod flags;
 pub mod odd;
 pub mod scenes;
 pub mod usage;
@@ -85,11 +86,10 @@ fn errors(outcome: &Outcome) -> usize {
     outcome.stderr.lines().filter(|line| line.starts_with("error")).count()
 }
 
-/// The tests that every ray tracer must pass: takes a [`Binary`] and the flags of the course
-/// that its help must list.
+/// The tests that every ray tracer must pass: takes its [`Binary`].
 #[macro_export]
 macro_rules! battery {
-    ($program:expr, $flags:expr) => {
+    ($program:expr) => {
         #[test]
         fn course_command_lines_run() {
             $crate::battery::course::command_lines(&$program);
@@ -143,7 +143,7 @@ macro_rules! battery {
 
         #[test]
         fn help_and_version() {
-            $crate::battery::odd::help(&$program, &$flags);
+            $crate::battery::odd::help(&$program);
         }
     };
 }

@@ -1,6 +1,6 @@
 //! Odd input that is good all the same.
 
-use super::{GOOD, accepted, scratch};
+use super::{GOOD, accepted, flags, scratch};
 use crate::binary::{Binary, Scratch};
 use common::picture::{Film, Transfer, read};
 use std::fs;
@@ -100,17 +100,17 @@ pub fn closed_stdout(binary: &Binary) {
     assert_eq!(picture(&scratch, "new.tga").width(), 100);
 }
 
-/// `-h`, `-help`, `--help`, `-V` print to stdout and succeed; the help names every flag that the
-/// course gives this assignment, and `-help` says more about them than `-h`.
+/// `-h`, `-help`, `--help`, `-V` print to stdout and succeed; the help names every flag of this
+/// assignment and those below, and `-help` says more about them than `-h`.
 ///
 /// # Panics
 /// If they do not.
-pub fn help(binary: &Binary, flags: &[&str]) {
+pub fn help(binary: &Binary) {
     let scratch = scratch(b"");
     let [short, long, dashed] =
         ["-h", "-help", "--help"].map(|flag| accepted(binary, &scratch, &[flag]).stdout);
     assert!(long == dashed && short.len() < long.len());
-    for flag in flags {
+    for flag in flags::up_to(binary.assignment) {
         let lists = |text: &str| text.lines().any(|line| line.trim_start().split(' ').next() == Some(flag));
         assert!(lists(&short) && lists(&long), "{flag} is not listed");
     }

@@ -5,6 +5,7 @@
 //! boxes at once (Dammertz, Hanika & Keller 2008; Wald, Benthin & Boulos 2008). Leaves are blocks
 //! of eight triangles, as the list has them.
 
+mod aside;
 mod beam;
 pub(crate) mod build;
 mod bundle;
@@ -14,6 +15,7 @@ mod frustum;
 pub(crate) mod packet;
 mod purpose;
 mod set;
+mod sheets;
 pub(crate) mod single;
 mod slabs;
 mod slot;

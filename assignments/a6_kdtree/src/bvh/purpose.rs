@@ -46,7 +46,7 @@ pub struct Nearest<'a> {
     /// The best so far, by ray.
     pub best: &'a mut [Option<Hit>],
     /// For rays that are not followed in slots.
-    pub stack: Stack,
+    pub stack: &'a mut Stack,
 }
 
 impl Purpose for Nearest<'_> {
@@ -67,13 +67,13 @@ impl Purpose for Nearest<'_> {
 
     #[inline(always)]
     fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters) {
-        self.best[ray] = bvh.nearest_one(simd, query, &mut self.stack, self.best[ray], c);
+        self.best[ray] = bvh.nearest_one(simd, query, self.stack, self.best[ray], c);
     }
 
     #[inline(always)]
     fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters) {
         let best = &mut self.best[first..first + bundle.rays.len()];
-        bvh.nearest_together(simd, bundle, &mut self.stack, best, c);
+        bvh.nearest_together(simd, bundle, self.stack, best, c);
     }
 }
 
@@ -84,7 +84,7 @@ pub struct Blocked<'a> {
     /// Whether there is one, by ray.
     pub hit: &'a mut [bool],
     /// For rays that are not followed in slots.
-    pub stack: Stack,
+    pub stack: &'a mut Stack,
 }
 
 impl Purpose for Blocked<'_> {
@@ -109,12 +109,12 @@ impl Purpose for Blocked<'_> {
 
     #[inline(always)]
     fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters) {
-        self.hit[ray] = bvh.any_one(simd, query, &mut self.stack, c);
+        self.hit[ray] = bvh.any_one(simd, query, self.stack, c);
     }
 
     #[inline(always)]
     fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters) {
-        let bits = bvh.any_together(simd, bundle, &mut self.stack, c);
+        let bits = bvh.any_together(simd, bundle, self.stack, c);
         for (lane, hit) in self.hit[first..first + bundle.rays.len()].iter_mut().enumerate() {
             *hit |= bits >> lane & 1 == 1;
         }

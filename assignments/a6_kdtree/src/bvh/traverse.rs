@@ -3,6 +3,7 @@
 use super::frustum::Frustum;
 use super::packet::Packet;
 use super::purpose::{Blocked, Nearest};
+use super::sheets;
 use super::single::Query;
 use super::stack::Stack;
 use super::wide::Bvh;
@@ -50,12 +51,36 @@ impl Bvh<'_> {
         best: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
-        self.follow(simd, rays, interval, &mut Nearest { interval, best, stack: Stack::new() }, c);
+        let mut stack = Stack::new();
+        self.for_each_run(
+            rays,
+            interval,
+            #[inline(always)]
+            |run| {
+                let best = &mut best[run.clone()];
+                self.follow(
+                    simd,
+                    &rays[run],
+                    interval,
+                    &mut Nearest { interval, best, stack: &mut stack },
+                    c,
+                );
+            },
+        );
     }
 
     #[inline(always)]
     fn any_in<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
-        self.follow(simd, rays, interval, &mut Blocked { interval, hit, stack: Stack::new() }, c);
+        let mut stack = Stack::new();
+        self.for_each_run(
+            rays,
+            interval,
+            #[inline(always)]
+            |run| {
+                let hit = &mut hit[run.clone()];
+                self.follow(simd, &rays[run], interval, &mut Blocked { interval, hit, stack: &mut stack }, c);
+            },
+        );
     }
 }
 
@@ -100,12 +125,10 @@ impl Accel for Bvh<'_> {
         counters: &mut Counters,
     ) {
         assert_eq!(rays.len(), hits.len());
-        hits.fill(None);
-        if !self.geometry.sheets().is_empty() {
-            for (ray, hit) in rays.iter().zip(hits.iter_mut()).filter(|(ray, _)| ray.is_usable()) {
-                *hit = self.geometry.nearest_sheet(ray, interval, counters);
-            }
-        }
+        dispatch!(simd::level(), s => s.vectorize(
+            #[inline(always)]
+            || sheets::nearest(self.geometry, rays, interval, hits, counters),
+        ));
         if !self.nodes.is_empty() {
             dispatch!(simd::level(), s => self.nearest_in(s, rays, interval, hits, counters));
         }
@@ -113,12 +136,10 @@ impl Accel for Bvh<'_> {
 
     fn any_many(&self, rays: &[Ray], interval: Interval, hit: &mut [bool], counters: &mut Counters) {
         assert_eq!(rays.len(), hit.len());
-        hit.fill(false);
-        if !self.geometry.sheets().is_empty() {
-            for (ray, hit) in rays.iter().zip(hit.iter_mut()).filter(|(ray, _)| ray.is_usable()) {
-                *hit = self.geometry.any_sheet(ray, interval, counters);
-            }
-        }
+        dispatch!(simd::level(), s => s.vectorize(
+            #[inline(always)]
+            || sheets::any(self.geometry, rays, interval, hit, counters),
+        ));
         if !self.nodes.is_empty() {
             dispatch!(simd::level(), s => self.any_in(s, rays, interval, hit, counters));
         }

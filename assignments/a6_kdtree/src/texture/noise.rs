@@ -52,6 +52,9 @@ const GRADIENTS: [[f64; 3]; 16] = [
     [0.0, -1.0, -1.0],
 ];
 
+/// Numbers from here on are whole.
+const INTEGERS: f64 = (1u64 << 52) as f64;
+
 /// Perlin's improved noise: 0 at lattice points, within (−1.04, 1.04), with continuous first and
 /// second derivatives. Numbers from 2⁵² on are integers, so that it is 0 from there on; it is
 /// also 0 for what is no finite point.
@@ -59,14 +62,14 @@ pub fn noise(point: DVec3) -> f64 {
     if !point.is_finite() {
         return 0.0;
     }
-    let lattice = point.floor();
-    let inside = point - lattice;
-    // Exact for every finite number, however far out, where a cast to integers would saturate:
-    // a division by a power of two is. The library's remainder is exact too, but slow.
-    let cell = lattice.to_array().map(|c| (c - (c / 256.0).floor() * 256.0) as usize);
+    let [x, y, z] = point.to_array().map(below);
+    let inside = point - DVec3::new(x.1, y.1, z.1);
+    // Each hash goes on from that of the coordinates before, which corners share.
+    let sides = |hash: usize, cell: usize| [permuted(hash + cell), permuted(hash + cell + 1)];
+    let hashes = sides(0, x.0).map(|h| sides(h, y.0).map(|h| sides(h, z.0)));
     let corner = |dx: usize, dy: usize, dz: usize| {
         let from = inside - DVec3::new(dx as f64, dy as f64, dz as f64);
-        DVec3::from_array(gradient([cell[0] + dx, cell[1] + dy, cell[2] + dz])).dot(from)
+        DVec3::from_array(GRADIENTS[hashes[dx][dy][dz] % 16]).dot(from)
     };
     let [x, y, z] = inside.to_array().map(ease);
     let edge = |dy, dz| mix(corner(0, dy, dz), corner(1, dy, dz), x);
@@ -76,12 +79,22 @@ pub fn noise(point: DVec3) -> f64 {
 
 /// Noise of ever finer grain: Σ noise(2ᵏ·p) / 2ᵏ for k from 0 to `octaves` − 1.
 pub fn fractal_noise(point: DVec3, octaves: u32) -> f64 {
-    (0..octaves).map(|k| f64::from(k).exp2()).map(|scale| noise(point * scale) / scale).sum()
+    let scales = std::iter::successors(Some(1.0), |scale| Some(scale * 2.0));
+    scales.take(octaves as usize).map(|scale| noise(point * scale) / scale).sum()
 }
 
-fn gradient(lattice: [usize; 3]) -> [f64; 3] {
-    let hash = lattice.iter().fold(0, |h, c| usize::from(PERMUTATION[(h + c) % 256]));
-    GRADIENTS[hash % 16]
+/// The cell of the lattice below a coordinate, counted around 0…255, and its lower end. From 2⁶³
+/// on, where integers end, the cell is just any: every number there is a lattice point.
+fn below(x: f64) -> (usize, f64) {
+    let towards_zero = x as i64;
+    let whole = towards_zero.saturating_sub(i64::from(towards_zero as f64 > x));
+    // A number that has no place among the integers is one itself.
+    let end = if x.abs() < INTEGERS { whole as f64 } else { x };
+    ((whole & 255) as usize, end)
+}
+
+fn permuted(index: usize) -> usize {
+    usize::from(PERMUTATION[index % 256])
 }
 
 /// 6t⁵ − 15t⁴ + 10t³: from 0 to 1 with first and second derivative 0 at both ends, so that cells

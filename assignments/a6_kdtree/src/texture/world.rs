@@ -5,6 +5,7 @@ use a1_ray_casting::{Mixture, Part, World};
 use common::geometry::{Geometry, Surface};
 use common::picture::PictureError;
 use common::scene::{ImageTexture, Material, PhongMaterial, Position, Scene};
+use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::collections::{BinaryHeap, HashMap};
 use std::path::{Path, PathBuf};
@@ -75,13 +76,13 @@ impl<'a> TexturedScene<'a> {
             .then(|| format!("textures: {solid} solid, {pictures} picture files of {kib} KiB"))
     }
 
-    /// The materials that are left when all blends at a point have been followed, with their
-    /// weights, all above zero. A blend is worked out when all that contain it have been: they
-    /// have higher indices. So each is worked out once, however many paths lead to it.
-    fn weights(&self, surface: &Surface) -> Vec<(&Leaf, f64)> {
+    /// The materials that are left when all blends at a point have been followed, from these on,
+    /// with their weights, all above zero. A blend is worked out when all that contain it have
+    /// been: they have higher indices. So each is worked out once, however many paths lead to it.
+    fn weights(&self, surface: &Surface, from: [(u32, f64); 2]) -> Vec<(&Leaf, f64)> {
         let mut weights = Vec::new();
         // Indices with the bits of a weight, since only those have an order that is total.
-        let mut waiting = BinaryHeap::from([(surface.material, 1f64.to_bits())]);
+        let mut waiting = BinaryHeap::from(from.map(|(index, weight)| (index, weight.to_bits())));
         while let Some((index, bits)) = waiting.pop() {
             let mut weight = f64::from_bits(bits);
             while let Some((_, more)) = pop_same(&mut waiting, index) {
@@ -89,19 +90,41 @@ impl<'a> TexturedScene<'a> {
             }
             match &self.textures[index as usize] {
                 Texture::Leaf(leaf) => weights.push((leaf, weight)),
-                Texture::Solid { pattern, children: [first, second] } => {
-                    let value = pattern.value(surface.point);
-                    for (child, share) in [(first, weight * value), (second, weight * (1.0 - value))] {
-                        // What single precision takes for nothing is nothing.
-                        if share as f32 > 0.0 {
-                            waiting.push((*child, share.to_bits()));
-                        }
-                    }
+                Texture::Solid { pattern, children } => {
+                    let parts = parts(weight, pattern.value(surface.point), *children);
+                    waiting
+                        .extend(parts.into_iter().flatten().map(|(child, share)| (child, share.to_bits())));
                 }
             }
         }
         weights
     }
+
+    /// What becomes of materials with these weights at a point.
+    fn mixture<'s>(&'s self, surface: &Surface, weights: &[(&'s Leaf, f64)]) -> Mixture<'s> {
+        if let [(Leaf { plain, image: None }, _)] = weights {
+            return Mixture::Plain(plain);
+        }
+        let uv = OnceCell::new();
+        let material = |leaf: &'s Leaf| match &leaf.image {
+            None => Cow::Borrowed(&leaf.plain),
+            Some((image, scale)) => {
+                let [u, v] = *uv.get_or_init(|| self.geometry.uv(surface));
+                let diffuse = image.at(u * scale[0], v * scale[1]);
+                Cow::Owned(PhongMaterial { diffuse, ..leaf.plain.clone() })
+            }
+        };
+        let part =
+            |&(leaf, weight): &(&'s Leaf, f64)| Part { weight: weight as f32, material: material(leaf) };
+        Mixture::Blend(weights.iter().map(part).collect())
+    }
+}
+
+/// The two parts of a blend with their weights, as far as they are something.
+fn parts(weight: f64, value: f64, [first, second]: [u32; 2]) -> [Option<(u32, f64)>; 2] {
+    let parts = [(first, weight * value), (second, weight * (1.0 - value))];
+    // What single precision takes for nothing is nothing.
+    parts.map(|(child, share)| (share as f32 > 0.0).then_some((child, share)))
 }
 
 /// Takes the highest entry if it is of this index.
@@ -123,23 +146,26 @@ impl World for TexturedScene<'_> {
     }
 
     fn at(&self, surface: &Surface) -> Mixture<'_> {
-        if let Some(material) = self.plain(surface.material) {
-            return Mixture::Plain(material);
-        }
-        let weights = self.weights(surface);
-        if let [(Leaf { plain, image: None }, _)] = weights[..] {
-            return Mixture::Plain(plain);
-        }
-        let uv = OnceCell::new();
-        let material = |leaf: &Leaf| match &leaf.image {
-            None => leaf.plain.clone(),
-            Some((image, scale)) => {
-                let [u, v] = *uv.get_or_init(|| self.geometry.uv(surface));
-                PhongMaterial { diffuse: image.at(u * scale[0], v * scale[1]), ..leaf.plain.clone() }
+        let (mut index, mut weight) = (surface.material, 1.0);
+        // As long as one part is all, nothing need be kept in order.
+        let from = loop {
+            let (pattern, children) = match &self.textures[index as usize] {
+                Texture::Leaf(leaf) => return self.mixture(surface, &[(leaf, weight)]),
+                Texture::Solid { pattern, children } => (pattern, *children),
+            };
+            match parts(weight, pattern.value(surface.point), children) {
+                [Some(first), Some(second)] => break [first, second],
+                [first, second] => (index, weight) = first.or(second).unwrap_or((children[0], weight)),
             }
         };
-        let part = |(leaf, weight)| Part { weight: weight as f32, material: material(leaf) };
-        Mixture::Blend(weights.into_iter().map(part).collect())
+        // The higher index comes first in any case.
+        let [low, high] = if from[0].0 < from[1].0 { from } else { [from[1], from[0]] };
+        match [high, low].map(|(index, _)| &self.textures[index as usize]) {
+            [Texture::Leaf(first), Texture::Leaf(second)] if low.0 < high.0 => {
+                self.mixture(surface, &[(first, high.1), (second, low.1)])
+            }
+            _ => self.mixture(surface, &self.weights(surface, from)),
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 //! passes, from what all pixels have got so far, so neither tiles nor threads can matter.
 //! [`Survey`] estimates the errors.
 
+mod look;
 mod survey;
 
 pub use survey::Survey;

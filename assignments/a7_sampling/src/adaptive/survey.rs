@@ -1,8 +1,8 @@
 //! How wrong each pixel probably is.
 
+use super::look::{Look, Part};
 use crate::exposure::Sample;
 use common::cli::GeneralArgs;
-use common::math::{DVec3, Vec3};
 use common::picture::Size;
 use common::tiles::{TileOptions, for_each_job};
 use std::ops::Range;
@@ -10,57 +10,6 @@ use std::sync::{Mutex, PoisonError};
 
 /// Pixels to each side that are asked how much better the pattern is than independent samples.
 const NEAR: usize = 2;
-
-/// What a pixel's samples tell. Squares are means over the three channels.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Look {
-    count: u32,
-    mean: Vec3,
-    /// Sum of squared distances of the samples from their mean.
-    scatter: f32,
-    /// Squared error of the mean, judged by how far its first and second half lie apart.
-    change: f32,
-}
-
-/// Some samples of a pixel.
-#[derive(Clone, Copy, Debug)]
-struct Part {
-    count: f64,
-    mean: DVec3,
-    scatter: f64,
-}
-
-impl Part {
-    fn of(samples: &[Sample]) -> Self {
-        let count = samples.len() as f64;
-        let mean = samples.iter().map(|s| s.color.as_dvec3()).sum::<DVec3>() / count.max(1.0);
-        let square = |s: &Sample| (s.color.as_dvec3() - mean).length_squared() / 3.0;
-        Self { count, mean, scatter: samples.iter().map(square).sum() }
-    }
-}
-
-impl Look {
-    /// Adds samples as the second half, all before being the first (Chan, Golub & LeVeque,
-    /// "Updating formulae and a pairwise algorithm for computing sample variances", 1979).
-    fn add(&mut self, part: Part) {
-        if part.count == 0.0 {
-            return;
-        }
-        let (old, new) = (f64::from(self.count), part.count);
-        let (all, apart) = (old + new, part.mean - self.mean.as_dvec3());
-        let apart_squared = apart.length_squared() / 3.0;
-        self.scatter += (part.scatter + apart_squared * old * new / all) as f32;
-        // Independent halves differ by σ²(1/old + 1/new), their common mean errs by σ²/all.
-        self.change = (apart_squared * old * new / (all * all)) as f32;
-        self.mean = (self.mean.as_dvec3() + apart * (new / all)).as_vec3();
-        self.count += new as u32;
-    }
-
-    /// Variance of a single sample.
-    fn variance(&self) -> f64 {
-        f64::from(self.scatter) / f64::from(self.count.saturating_sub(1).max(1))
-    }
-}
 
 /// What is known of a pixel between two passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -211,6 +160,7 @@ fn estimate(rows: &[Vec<Told>], x: usize, y: usize) -> Estimate {
 mod tests {
     use super::*;
     use crate::sampler::{Pattern, pair};
+    use common::math::Vec3;
 
     fn samples(pixel: (u32, u32), values: &[f32]) -> Vec<Sample> {
         values.iter().map(|v| Sample { pixel, at: [0.5; 2], color: Vec3::splat(*v) }).collect()
