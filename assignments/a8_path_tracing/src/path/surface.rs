@@ -101,7 +101,7 @@ impl PathTracer<'_> {
             u -= f64::from(part.weight);
             u < 0.0
         });
-        Cow::Owned(parts.swap_remove(chosen.unwrap_or(last)).material)
+        parts.swap_remove(chosen.unwrap_or(last)).material
     }
 
     /// Asks one light. Returns about what it sends: the sum of the channels, were nothing in between.
