@@ -1,7 +1,7 @@
 //! The flags that each assignment adds, as its program's help must list them.
 
 /// Assignment by assignment, from 1 on.
-const OWN: [&[&str]; 7] = [
+const OWN: [&[&str]; 8] = [
     &["-input", "-output", "-size", "-depth", "-threads", "-stats"],
     &["-normals", "-shade_back"],
     &["-gui", "-tessellation", "-gouraud"],
@@ -36,6 +36,19 @@ const OWN: [&[&str]; 7] = [
         "-twist",
         "-shift",
         "-move_screen",
+    ],
+    &[
+        "-spp",
+        "-time",
+        "-error",
+        "-integrator",
+        "-rr_depth",
+        "-crop",
+        "-spp_range",
+        "-checkpoint",
+        "-resume",
+        "-aov",
+        "-linear",
     ],
 ];
 
