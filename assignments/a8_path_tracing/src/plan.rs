@@ -50,6 +50,10 @@ impl PathArgs {
     pub fn plan(&self, size: Size) -> Result<Plan, AppError> {
         let (pattern, number) = self.choice();
         let (time, error) = (self.seconds()?, self.least_error()?);
+        if pattern == Pattern::Uniform {
+            // Every path would be scattered in the same few directions.
+            return usage("the uniform pattern has nothing random, which paths need; take another sampler");
+        }
         let usual = match (error, time) {
             (Some(_), _) => MOST,
             (None, Some(_)) => ENDLESS,

@@ -3,7 +3,7 @@
 use crate::PathArgs;
 use crate::film::{Identity, Sums, checkpoint};
 use crate::fingerprint::fingerprint;
-use crate::light::{Environment, Lights};
+use crate::light::Lights;
 use crate::numbers::Numbers;
 use crate::outputs::Outputs;
 use crate::path::{PathTracer, Rules};
@@ -16,7 +16,6 @@ use a7_sampling::Sampled;
 use common::accel::Accel;
 use common::atomic::place;
 use common::cli::{self, AppError, Skip, interrupt};
-use common::picture::{Transfer, read};
 use common::tiles::TileOptions;
 use std::path::Path;
 use std::time::Duration;
@@ -66,7 +65,7 @@ impl Step for Traced<'_> {
         let plan = self.args.plan(studio.size)?;
         let outputs = Outputs::new(self.args.cast().output.as_ref(), &self.args.files)?;
         if outputs.any() || args.cast().general.program.stats {
-            let lights = self.lights(studio, scene)?;
+            let lights = Lights::load(&studio.geometry, scene)?;
             let side = studio.size.width().max(studio.size.height());
             let numbers = Numbers::new(plan.pattern, plan.spp, side, plan.seed);
             let tracer = PathTracer::new(studio, scene, accel, lights, numbers, self.args.rules());
@@ -75,15 +74,6 @@ impl Step for Traced<'_> {
         let mut side = args.grid.whitted.phong.diffuse.side_pictures();
         side.extend(args.heat_picture());
         if side.is_empty() { Ok(()) } else { studio.expose(args.cast(), accel, &side, report) }
-    }
-}
-
-impl Traced<'_> {
-    /// The lights of a scene.
-    fn lights<'s>(&self, studio: &'s Studio, scene: &'s TexturedScene<'s>) -> Result<Lights<'s>, AppError> {
-        let file = studio.scene.background.environment.as_ref();
-        let sky = file.map(|file| read(file, Transfer::Linear)).transpose()?.map(Environment::new);
-        Ok(Lights::new(&studio.geometry, scene, sky.filter(|sky| !sky.is_black())))
     }
 }
 

@@ -27,6 +27,7 @@ use a2_transforms::{Incident, Source, falloff, incident};
 use a7_sampling::light::{Cone, brightness};
 use common::geometry::{Geometry, Surface};
 use common::math::{Bounds, DVec3, Vec3};
+use common::picture::{PictureError, Transfer, read};
 use common::scene::{LightKind, LightSpec};
 use common::shape::sphere::Sphere;
 use std::f64::consts::PI;
@@ -71,6 +72,16 @@ pub struct Offer {
 }
 
 impl<'a> Lights<'a> {
+    /// Of a scene, whose sky is read if it has one; `world` tells what its surfaces are made of.
+    ///
+    /// # Errors
+    /// If the picture of the sky cannot be read.
+    pub fn load(geometry: &'a Geometry, world: &'a dyn World) -> Result<Self, PictureError> {
+        let file = world.as_scene().background.environment.as_ref();
+        let sky = file.map(|file| read(file, Transfer::Linear)).transpose()?.map(Environment::new);
+        Ok(Self::new(geometry, world, sky.filter(|sky| !sky.is_black())))
+    }
+
     /// Of a scene; `world` tells what its surfaces are made of.
     pub fn new(geometry: &'a Geometry, world: &'a dyn World, environment: Option<Environment>) -> Self {
         let scene = world.as_scene();

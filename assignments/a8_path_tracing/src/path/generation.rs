@@ -8,6 +8,7 @@ use common::counters::Counters;
 use common::geometry::Surface;
 use common::math::{DVec3, Interval, Vec3};
 use common::ray::Ray;
+use common::simd::{self, Simd, dispatch};
 
 impl PathTracer<'_> {
     /// Sends the rays, looks at what they meet, sends the shadow rays; the next rays are then in
@@ -28,6 +29,20 @@ impl PathTracer<'_> {
         scratch.far.clear();
         scratch.next_rays.clear();
         scratch.next_paths.clear();
+        dispatch!(simd::level(), s => s.vectorize(
+            #[inline(always)]
+            || self.look(scratch, generation, counters, found),
+        ));
+        scratch.near.arrive(self.accel, Interval::up_to(1.0), counters, found);
+        scratch.far.arrive(self.accel, Interval::FORWARD, counters, found);
+        std::mem::swap(&mut scratch.rays, &mut scratch.next_rays);
+        std::mem::swap(&mut scratch.paths, &mut scratch.next_paths);
+    }
+
+    /// Looks at what rays met, with the instructions that are there. None of them fuses or reorders
+    /// what is written here, so all give the same bits.
+    #[inline(always)]
+    fn look(&self, scratch: &mut Scratch, generation: u32, counters: &mut Counters, found: &mut [Found]) {
         for i in 0..scratch.rays.len() {
             let (ray, path, hit) = (scratch.rays[i], scratch.paths[i], scratch.hits[i]);
             let found = &mut found[path.slot as usize];
@@ -39,13 +54,10 @@ impl PathTracer<'_> {
                 }
             }
         }
-        scratch.near.arrive(self.accel, Interval::up_to(1.0), counters, found);
-        scratch.far.arrive(self.accel, Interval::FORWARD, counters, found);
-        std::mem::swap(&mut scratch.rays, &mut scratch.next_rays);
-        std::mem::swap(&mut scratch.paths, &mut scratch.next_paths);
     }
 
     /// A path that leaves the scene.
+    #[inline(always)]
     fn escape(&self, ray: &Ray, path: &Path, generation: u32, found: &mut Found) {
         let (radiance, pdf) = self.lights.from_afar(ray.direction);
         found.radiance += path.throughput * radiance * self.met_by_chance(path.pdf, pdf);
@@ -55,6 +67,7 @@ impl PathTracer<'_> {
     }
 
     /// Light that the front of a surface gives off, weighed against having been asked for.
+    #[inline(always)]
     pub(super) fn emitted(&self, path: &Path, emissive: Vec3, ray: &Ray, t: f32, surface: &Surface) -> Vec3 {
         let direction = ray.direction.as_dvec3();
         if emissive == Vec3::ZERO || surface.geometric_normal.dot(direction) >= 0.0 {
@@ -75,7 +88,7 @@ impl PathTracer<'_> {
 
     /// The share of what a path met that is left to it when the surface before might have asked
     /// for the same, with densities `by_path` and `by_asking`.
-    #[inline]
+    #[inline(always)]
     pub(super) fn met_by_chance(&self, by_path: f32, by_asking: f32) -> f32 {
         match self.rules.integrator {
             _ if by_asking == 0.0 || by_path == f32::INFINITY => 1.0,
@@ -86,7 +99,7 @@ impl PathTracer<'_> {
     }
 
     /// The same for what was asked for.
-    #[inline]
+    #[inline(always)]
     pub(super) fn asked_for(&self, by_asking: f32, by_path: f32) -> f32 {
         match self.rules.integrator {
             Integrator::Mis if by_asking < f32::INFINITY => power_heuristic(by_asking, by_path),

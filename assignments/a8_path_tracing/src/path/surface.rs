@@ -33,6 +33,7 @@ pub(super) struct Place<'s> {
 }
 
 impl<'s> Place<'s> {
+    #[inline(always)]
     fn new(surface: &'s Surface, ray: &Ray) -> Self {
         let out = -ray.direction;
         let own = surface.geometric_normal.as_vec3();
@@ -51,6 +52,7 @@ impl<'s> Place<'s> {
 
 impl PathTracer<'_> {
     /// Takes what the surface gives off, asks a light, and goes on.
+    #[inline(always)]
     #[expect(clippy::too_many_arguments, reason = "the body of a loop over paths")]
     pub(super) fn meet(
         &self,
@@ -87,6 +89,7 @@ impl PathTracer<'_> {
 
     /// What the surface is made of. Where several materials are blended, one of them by chance: as
     /// each lobe of a blend counts by the share of its material, so does each material.
+    #[inline(always)]
     fn material(&self, surface: &Surface, path: &Path, generation: u32) -> Cow<'_, PhongMaterial> {
         if let Some(material) = self.world.plain(surface.material) {
             return Cow::Borrowed(material);
@@ -105,6 +108,7 @@ impl PathTracer<'_> {
     }
 
     /// Asks one light. Returns about what it sends: the sum of the channels, were nothing in between.
+    #[inline(always)]
     fn ask(
         &self,
         scratch: &mut Scratch,
@@ -147,6 +151,7 @@ impl PathTracer<'_> {
     }
 
     /// Chooses the way on, unless roulette ends the path.
+    #[inline(always)]
     fn go_on(
         &self,
         scratch: &mut Scratch,

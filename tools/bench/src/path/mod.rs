@@ -1,33 +1,52 @@
-//! Error of path-traced pictures against processor time.
+//! Error of path-traced pictures against processor time: integrators, samplers, paths per pixel.
+//!
+//! Every picture is compared with a converged one: one that is given, or one of our own with
+//! another seed, made once and kept. All pictures of a seed are taken in turn, by one thread, so
+//! that a busy moment of the machine hits all kinds.
 
+mod measure;
 mod reference;
 mod subject;
 
-use crate::clock;
+use crate::sampling::statistics::Mean;
 use a7_sampling::Pattern;
 use a8_path_tracing::{Integrator, Rules};
 use common::cli::{self, AppError};
-use common::picture::{Film, Size};
-use std::path::PathBuf;
+use common::picture::{Film, Size, Transfer, write};
+use measure::{Recipe, Shot};
+use std::path::{Path, PathBuf};
 use subject::Subject;
 
 /// What to measure.
 #[derive(clap::Args)]
 pub struct Options {
-    /// Scene file
+    /// Scene files
+    #[arg(
+        long,
+        value_delimiter = ',',
+        default_value = "scenes/scene8_01_cornell_box.txt,scenes/scene8_02_cornell_spheres.txt,scenes/scene8_03_mesh.txt"
+    )]
+    scene: Vec<PathBuf>,
+    /// Converged picture of the one scene: .exr .pfm or .npy; pictures are then as large
     #[arg(long)]
-    scene: PathBuf,
-    /// Converged picture of it, .exr .pfm or .npy
-    #[arg(long)]
-    reference: PathBuf,
+    reference: Option<PathBuf>,
+    /// Side of the pictures without one
+    #[arg(long, default_value_t = 64)]
+    side: u32,
+    /// Paths per pixel of converged pictures of our own
+    #[arg(long, default_value_t = 8192)]
+    truth: u32,
+    /// Where they are kept
+    #[arg(long, default_value = "target/converged")]
+    keep: PathBuf,
     /// Paths per pixel
-    #[arg(long, value_delimiter = ',', default_value = "16,64")]
+    #[arg(long, value_delimiter = ',', default_value = "4,16,64")]
     spp: Vec<u32>,
     /// Where samples lie
     #[arg(long, value_enum, value_delimiter = ',', default_value = "random,sobol")]
     sampler: Vec<Pattern>,
     /// How light is looked for
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "mis")]
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "naive,nee,mis")]
     integrator: Vec<Integrator>,
     /// Most surfaces that send a path on before the one that a light shines on
     #[arg(long, default_value_t = 6)]
@@ -38,12 +57,15 @@ pub struct Options {
     /// What finds hits, as for a6_kdtree
     #[arg(long, default_value = "auto")]
     accel: String,
-    /// Writes the last picture
+    /// Independent pictures of every kind
+    #[arg(long, default_value_t = 5)]
+    seeds: u64,
+    /// Writes the last picture of the last scene
     #[arg(long, value_name = "PICTURE")]
     write: Option<PathBuf>,
-    /// Independent pictures
-    #[arg(long, default_value_t = 1)]
-    seeds: u64,
+    /// Every measurement, one in a line
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
 }
 
 /// Measures and prints.
@@ -51,65 +73,104 @@ pub struct Options {
 /// # Errors
 /// A scene or a picture that cannot be read.
 pub fn run(options: &Options) -> Result<(), AppError> {
-    let truth = reference::load(&options.reference)?;
-    let size: Size = truth.size();
-    let subject = Subject::open(&options.scene, size, &options.accel)?;
-    cli::say(&format!("{}: {size}", subject.name));
-    cli::say(
-        "integrator sampler    spp     cpu s  Mpaths/s  rays/path      RMSE   RMSE*sqrt(s)  sqrt(relMSE*s)  mean",
-    );
-    subject.with(|world, accel| {
-        for &integrator in &options.integrator {
-            for &pattern in &options.sampler {
-                for &spp in &options.spp {
-                    for seed in 0..options.seeds {
-                        let rules = Rules {
-                            integrator,
-                            bounces: Some(options.bounces),
-                            roulette_depth: options.rr_depth,
-                            ..Rules::default()
-                        };
-                        let ((film, counters), span) =
-                            clock::time(|| subject.picture(world, accel, (pattern, seed), rules, spp))?;
-                        if let Some(file) = &options.write {
-                            common::picture::write(file, &film, common::picture::Transfer::Linear)?;
-                        }
-                        let paths = size.pixels() as f64 * f64::from(spp);
-                        let seconds = span.cpu / 1e3;
-                        let (rmse, relative) = errors(&film, &truth);
-                        let mean = film.pixels().iter().sum::<common::math::Vec3>() / film.pixels().len() as f32;
-                        let rays = (counters.rays + counters.shadow_rays) as f64 / paths;
-                        let per_ray = |n: u64| n as f64 / (counters.rays + counters.shadow_rays) as f64;
-                        eprintln!("exact {:.2} cells {:.2} tests {:.2}", per_ray(counters.exact_tests), per_ray(counters.cells), per_ray(counters.intersections));
-                        cli::say(&format!(
-                            "{:<10} {:<9} {spp:>5} {seconds:>9.2} {:>9.3} {rays:>9.2} {rmse:>10.5} {:>13.4} {:>13.4}   {:.5} {:.5} {:.5}",
-                            format!("{integrator:?}"),
-                            format!("{pattern:?}"),
-                            paths / seconds / 1e6,
-                            rmse * seconds.sqrt(),
-                            (relative * seconds).sqrt(),
-                            mean.x,
-                            mean.y,
-                            mean.z
-                        ));
-                    }
-                }
-            }
-        }
-        Ok(())
-    })?
+    if options.reference.is_some() && options.scene.len() != 1 {
+        return Err(AppError::Usage("--reference belongs to one --scene".to_owned()));
+    }
+    let mut csv = "scene,integrator,sampler,spp,seed,cpu_s,rmse,relative_mse\n".to_owned();
+    for scene in &options.scene {
+        measure_scene(options, scene, &mut csv)?;
+    }
+    options.csv.as_ref().map_or(Ok(()), |file| Ok(std::fs::write(file, csv)?))
 }
 
-/// Root mean square error, and mean of squared error relative to the squared truth.
-fn errors(film: &Film, truth: &Film) -> (f64, f64) {
-    let (mut square, mut relative) = (0.0, 0.0);
-    for (a, b) in film.pixels().iter().zip(truth.pixels()) {
-        for c in 0..3 {
-            let (a, b) = (f64::from(a[c]), f64::from(b[c]));
-            square += (a - b).powi(2);
-            relative += (a - b).powi(2) / (b * b + 1e-2);
-        }
+impl Options {
+    fn rules(&self, integrator: Integrator) -> Rules {
+        let (bounces, roulette_depth) = (Some(self.bounces), self.rr_depth);
+        Rules { integrator, bounces, roulette_depth, ..Rules::default() }
     }
-    let count = (truth.pixels().len() * 3) as f64;
-    ((square / count).sqrt(), relative / count)
+
+    fn recipes(&self) -> Vec<Recipe> {
+        let mut recipes = Vec::new();
+        for &integrator in &self.integrator {
+            for &pattern in &self.sampler {
+                recipes.extend(self.spp.iter().map(|&spp| Recipe {
+                    rules: self.rules(integrator),
+                    pattern,
+                    spp,
+                }));
+            }
+        }
+        recipes
+    }
+
+    /// The converged picture of a scene: read, or made and kept.
+    fn truth(&self, scene: &Path) -> Result<Film, AppError> {
+        if let Some(file) = &self.reference {
+            return reference::load(file);
+        }
+        let side = i64::from(self.side);
+        let size = Size::new(side, side)?;
+        let subject = Subject::open(scene, size, &self.accel)?;
+        let name = format!("{}_{side}_{}_{}.pfm", subject.name, self.truth, self.bounces);
+        let file = self.keep.join(name);
+        if file.is_file() {
+            return reference::load(&file);
+        }
+        cli::note(&format!("making {} once", file.display()));
+        let recipe = Recipe { rules: self.rules(Integrator::Mis), pattern: Pattern::Sobol, spp: self.truth };
+        let film = subject.with(|world, accel| subject.picture(world, accel, &recipe, u64::MAX))??.0;
+        std::fs::create_dir_all(&self.keep)?;
+        write(&file, &film, Transfer::Linear)?;
+        Ok(film)
+    }
+}
+
+fn measure_scene(options: &Options, scene: &Path, csv: &mut String) -> Result<(), AppError> {
+    let truth = options.truth(scene)?;
+    let subject = Subject::open(scene, truth.size(), &options.accel)?;
+    let recipes = options.recipes();
+    let mut shots: Vec<Vec<Shot>> = vec![Vec::new(); recipes.len()];
+    let last = subject.with(|world, accel| {
+        let mut last = None;
+        for seed in 0..options.seeds.max(1) {
+            for (recipe, shots) in recipes.iter().zip(&mut shots) {
+                let (shot, film) = recipe.shoot(&subject, (world, accel), seed, &truth)?;
+                csv.push_str(&shot.line(&subject.name, recipe, seed));
+                shots.push(shot);
+                last = Some(film);
+            }
+        }
+        Ok::<_, AppError>(last)
+    })??;
+    if let (Some(file), Some(film)) = (&options.write, last) {
+        write(file, &film, Transfer::Linear)?;
+    }
+    print(&subject.name, truth.size(), &recipes, &shots);
+    Ok(())
+}
+
+fn print(name: &str, size: Size, recipes: &[Recipe], shots: &[Vec<Shot>]) {
+    cli::say(&format!(
+        "\n{name}, {size}, one thread; s = processor seconds; intervals of 95 % over the seeds\n\
+         integrator sampler    spp  Mpaths/s  rays/path      RMSE   relRMSE   RMSE*sqrt(s)       sqrt(relMSE*s)     mean off  worst block off"
+    ));
+    for (recipe, shots) in recipes.iter().zip(shots) {
+        let of = |value: fn(&Shot) -> f64| Mean::of(&shots.iter().map(value).collect::<Vec<_>>());
+        let paths = size.pixels() as f64 * f64::from(recipe.spp);
+        let interval = |mean: Mean| format!("{:.4} ± {:.4}", mean.value, mean.within);
+        cli::say(&format!(
+            "{:<10} {:<9} {:>5} {:>9.3} {:>10.2} {:>9.5} {:>9.4}   {:<18} {:<18} {:>7.2} % {:>11.2} %",
+            format!("{:?}", recipe.rules.integrator),
+            format!("{:?}", recipe.pattern),
+            recipe.spp,
+            paths / of(|s| s.seconds).value / 1e6,
+            of(|s| s.rays).value / paths,
+            of(|s| s.rmse).value,
+            of(|s| s.relative.sqrt()).value,
+            interval(of(|s| s.rmse * s.seconds.sqrt())),
+            interval(of(|s| (s.relative * s.seconds).sqrt())),
+            of(|s| s.mean_off).value * 100.0,
+            of(|s| s.block_off).value * 100.0,
+        ));
+    }
 }

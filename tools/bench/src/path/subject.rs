@@ -1,24 +1,20 @@
 //! A scene file as something that paths are traced in.
 
+use super::measure::Recipe;
 use a1_ray_casting::Studio;
 use a6_kdtree::Tracer;
 use a6_kdtree::texture::TexturedScene;
-use a7_sampling::Pattern;
+use a8_path_tracing::film::{Frame, develop};
 use a8_path_tracing::light::Lights;
 use a8_path_tracing::numbers::Numbers;
-use a8_path_tracing::{Found, PathTracer, Program, Rules, Scratch};
+use a8_path_tracing::render::Rendering;
+use a8_path_tracing::{Goal, Layout, PathTracer, Program, Sums};
 use clap::Parser;
 use common::cli::AppError;
 use common::counters::Counters;
-use common::math::Vec3;
 use common::picture::{Film, Size};
+use common::tiles::TileOptions;
 use std::path::Path;
-
-/// Side of the squares of pixels that are traced together.
-const TILE: u32 = 16;
-
-/// Most samples of a pixel that are traced together.
-const TOGETHER: u32 = 8;
 
 /// A scene that is ready for paths.
 pub struct Subject {
@@ -44,6 +40,9 @@ impl Subject {
     }
 
     /// Calls `work` with the scene's textures and what finds its hits.
+    ///
+    /// # Errors
+    /// If a texture cannot be read.
     pub fn with<T>(&self, work: impl FnOnce(&TexturedScene, &Tracer) -> T) -> Result<T, AppError> {
         let cast = self.args.args.sampling.cast();
         let world = TexturedScene::load(&self.studio.scene, &self.studio.geometry, &cast.input)?;
@@ -51,46 +50,25 @@ impl Subject {
         Ok(work(&world, &accel))
     }
 
-    /// The picture of so many paths per pixel, by this thread alone.
+    /// The picture of a recipe and a seed, by this thread alone.
+    ///
+    /// # Errors
+    /// If the sky cannot be read, or there is not enough memory.
     pub fn picture(
         &self,
         world: &TexturedScene,
         accel: &Tracer,
-        (pattern, seed): (Pattern, u64),
-        rules: Rules,
-        samples: u32,
-    ) -> (Film, Counters) {
+        recipe: &Recipe,
+        seed: u64,
+    ) -> Result<(Film, Counters), AppError> {
         let size = self.studio.size;
-        let lights = Lights::new(&self.studio.geometry, world, None);
-        let numbers = Numbers::new(pattern, samples, size.width().max(size.height()), seed);
-        let tracer = PathTracer::new(&self.studio, world, accel.as_accel(), lights, numbers, rules);
-        let (mut scratch, mut counters, mut film) =
-            (Scratch::default(), Counters::default(), Film::new(size));
-        let mut found = Vec::new();
-        for y0 in (0..size.height()).step_by(TILE as usize) {
-            for x0 in (0..size.width()).step_by(TILE as usize) {
-                let rows = y0..(y0 + TILE).min(size.height());
-                let columns = x0..(x0 + TILE).min(size.width());
-                let pixels: Vec<_> = rows.flat_map(|y| columns.clone().map(move |x| (x, y))).collect();
-                let mut sums = vec![[0f64; 3]; pixels.len()];
-                for first in (0..samples).step_by(TOGETHER as usize) {
-                    let range = first..(first + TOGETHER).min(samples);
-                    found.resize(pixels.len() * range.len(), Found::default());
-                    tracer.trace(&mut scratch, &pixels, range.clone(), &mut counters, &mut found);
-                    for (sum, samples) in sums.iter_mut().zip(found.chunks(range.len())) {
-                        for sample in samples {
-                            for c in 0..3 {
-                                sum[c] += f64::from(sample.radiance[c]);
-                            }
-                        }
-                    }
-                }
-                for ((x, y), sum) in pixels.into_iter().zip(sums) {
-                    let mean = sum.map(|s| (s / f64::from(samples)) as f32);
-                    film.set(x, y, Vec3::from_array(mean));
-                }
-            }
-        }
-        (film, counters)
+        let lights = Lights::load(&self.studio.geometry, world)?;
+        let numbers = Numbers::new(recipe.pattern, recipe.spp, size.width().max(size.height()), seed);
+        let tracer = PathTracer::new(&self.studio, world, accel.as_accel(), lights, numbers, recipe.rules);
+        let mut sums = Sums::new(Frame::whole(size), Layout::default(), 0).map_err(AppError::from)?;
+        let options = TileOptions { threads: Some(1), ..TileOptions::default() };
+        let rendering = Rendering { goal: Goal { end: recipe.spp, time: None, error: None }, options };
+        let tally = rendering.run(&tracer, &mut sums, |_| {});
+        Ok((develop::radiance(&sums), tally.counters))
     }
 }

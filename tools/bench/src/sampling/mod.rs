@@ -9,7 +9,7 @@ mod csv;
 mod curves;
 mod measure;
 mod scene;
-mod statistics;
+pub mod statistics;
 
 use a7_sampling::{Kernel, KernelName};
 use common::cli::{self, AppError};
