@@ -1,5 +1,7 @@
 //! A7T3: from patterns and rays to a film.
 
+mod desk;
+
 use crate::aperture::Aperture;
 use crate::film::{Negative, Shares};
 use crate::filter::Kernel;
@@ -8,12 +10,11 @@ use a1_ray_casting::{CastArgs, Sight, Studio};
 use common::accel::Accel;
 use common::camera::screen_position;
 use common::counters::Counters;
-use common::geometry::Hit;
-use common::math::{DVec4, Vec3};
+use common::math::Vec3;
 use common::picture::{Film, Size};
 use common::ray::Ray;
-use common::simd::{self, Simd, dispatch};
 use common::tiles::{Tile, for_each_tile};
+use desk::{Desk, collect};
 use std::ops::Range;
 use std::sync::Mutex;
 
@@ -61,36 +62,6 @@ pub struct Exposure<'a> {
     pub aperture: Option<Aperture>,
     /// How samples add up; without one a pixel is the average of its own.
     pub kernel: Option<Kernel>,
-}
-
-/// What a thread works with.
-struct Desk {
-    samples: Vec<Sample>,
-    rays: Vec<Ray>,
-    hits: Vec<Option<Hit>>,
-    names: Vec<(Pixel, u32)>,
-    radiances: Vec<Vec3>,
-    /// Of one pixel.
-    shares: Shares,
-    /// Of all pixels of a tile that have samples: whose they are, and the sums of one after the
-    /// other.
-    given: (Vec<Pixel>, Vec<DVec4>),
-    counters: Counters,
-}
-
-impl Desk {
-    fn new(kernel: Option<Kernel>) -> Self {
-        Self {
-            samples: Vec::new(),
-            rays: Vec::new(),
-            hits: Vec::new(),
-            names: Vec::new(),
-            radiances: Vec::new(),
-            shares: Shares::new(kernel),
-            given: (Vec::new(), Vec::new()),
-            counters: Counters::default(),
-        }
-    }
 }
 
 /// What else looks at the samples while they are there.
@@ -222,30 +193,6 @@ impl Exposure<'_> {
                 camera.ray_through_lens(position, aperture.point(uv))
             }
         }
-    }
-}
-
-/// Adds up the samples on the desk, pixel by pixel.
-fn collect(wanted: &mut Vec<(Pixel, Range<u32>)>, watch: Option<Watch>, desk: &mut Desk) {
-    let mut samples = &desk.samples[..];
-    for (pixel, range) in wanted.drain(..) {
-        let (own, rest) = samples.split_at(range.len());
-        samples = rest;
-        desk.shares.clear();
-        let shares = &mut desk.shares;
-        dispatch!(simd::level(), s => s.vectorize(
-            #[inline(always)]
-            || {
-                for sample in own {
-                    shares.add(sample.at, sample.color);
-                }
-            },
-        ));
-        if let Some(watch) = watch {
-            watch(own);
-        }
-        desk.given.0.push(pixel);
-        desk.given.1.extend_from_slice(desk.shares.sums());
     }
 }
 

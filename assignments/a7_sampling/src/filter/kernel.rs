@@ -87,10 +87,7 @@ impl Kernel {
     pub fn factors(&self, offsets: &mut [f64]) {
         match *self {
             // A loop of its own, which becomes vector code.
-            Self::Gaussian(sigma) => {
-                let twice = 2.0 * sigma * sigma;
-                offsets.iter_mut().for_each(|x| *x = bell(-*x * *x / twice));
-            }
+            Self::Gaussian(s) => offsets.iter_mut().for_each(|x| *x = bell(-*x * *x / (2.0 * s * s))),
             _ => offsets.iter_mut().for_each(|x| *x = self.along(*x)),
         }
     }
