@@ -1,11 +1,13 @@
 //! A mesh made ready, and the levels that one run goes through.
 
 use crate::collapse::accumulated::Accumulated;
+use crate::collapse::against::suspects;
 use crate::collapse::build::{Built, build};
 use crate::collapse::cost::Cost;
 use crate::collapse::deviation::{closest, deviation};
 use crate::collapse::melax::Curvature;
 use crate::collapse::memoryless::Memoryless;
+use crate::collapse::mend::mend;
 use crate::collapse::original::Original;
 use crate::collapse::refit::Refit;
 use crate::collapse::run::Run;
@@ -176,6 +178,14 @@ impl<C: Cost> Level for Levels<'_, C> {
             let original = Original::new(mesh, welded, built.surface.scale);
             let refit = Refit::new(&original, &snapshot.surface, &snapshot.becomes, samples);
             refit.apply(&mut snapshot.surface, &snapshot.fixed);
+        }
+        if changed && std::env::var("NOMEND").is_err() {
+            let near = closest(&built.surface, &snapshot.surface, &snapshot.becomes);
+            let suspects = suspects(&built.surface, &snapshot.surface, &near, &snapshot.faces);
+            let left = mend(&mut snapshot.surface, &built.surface, &snapshot.fixed, suspects);
+            if left > 0 {
+                eprintln!("left {left}");
+            }
         }
         let error = bound.then(|| if changed { self.error(&snapshot) } else { 0.0 });
         let (mesh, becomes) = snapshot.mesh(&welded.point_of, self.run.wedges.as_ref());

@@ -1,10 +1,12 @@
 //! Edge collapse: what [`simplify`](crate::simplify()) is made of.
 //!
 //! ```text
-//! weld → build → run (cost, queue, ring, merge, wedges) → snapshot → refit → deviation → mesh
+//! weld → build → run (cost, queue, ring, merge, wedges) → snapshot → refit → mend → deviation → mesh
 //! ```
 
 mod accumulated;
+mod against;
+mod balls;
 mod build;
 mod cells;
 mod cost;
@@ -13,6 +15,7 @@ mod levels;
 mod locate;
 mod melax;
 mod memoryless;
+mod mend;
 mod merge;
 mod original;
 mod quadric;
