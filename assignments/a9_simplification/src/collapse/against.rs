@@ -15,7 +15,7 @@ use common::math::DVec3;
 const LARGER: f64 = 1.0 + 1e-9;
 
 /// How many samples of the original are taken around a suspect.
-const MOST_SAMPLES: usize = 200;
+const MOST_SAMPLES: usize = 60;
 
 /// A simplified face that may look against the original, and how far one looks around it.
 #[derive(Clone, Copy, Debug)]

@@ -13,7 +13,7 @@ use crate::collapse::surface::{Surface, next, previous};
 use common::math::{DVec3, Vec3};
 
 /// How far a corner is moved, in lengths of an edge: the first that helps is taken.
-const STEPS: [f64; 12] = [0.02, 0.04, 0.06, 0.08, 0.11, 0.15, 0.2, 0.26, 0.34, 0.44, 0.57, 0.75];
+const STEPS: [f64; 9] = [0.03, 0.05, 0.08, 0.11, 0.16, 0.23, 0.34, 0.5, 0.75];
 /// How often all faces that still look against the original are tried again.
 const ROUNDS: usize = 3;
 

@@ -57,13 +57,12 @@ impl<'a> Refit<'a> {
         let mut looks = vec![DVec3::ZERO; surface.faces.len()];
         let (mut sum, mut weight) = (0.0, 0.0);
         for corners in original.triangles().step_by(stride) {
-            let start = if Original::is_proper(corners) { becomes[corners[0] as usize] } else { NONE };
-            if start == NONE {
+            let (centre, normal) = original.middle(corners);
+            let found = Original::is_proper(corners).then(|| land(surface, becomes, corners, centre, normal));
+            let Some((square, landing)) = found.flatten() else {
                 landings.push(Landing::NOWHERE);
                 continue;
-            }
-            let (centre, normal) = original.middle(corners);
-            let (square, landing) = locate(surface, start, centre);
+            };
             let area = normal.length();
             (sum, weight) = (sum + area * square, weight + area);
             looks[landing.face as usize] += normal;
@@ -142,6 +141,34 @@ impl<'a> Refit<'a> {
                 && (turns_less(after, look) || brings_nearer(before, after, look))
         })
     }
+}
+
+/// Where the middle of a triangle of the original lands, and how far away. Around one of its corners the
+/// nearest may be on another side of a sharp edge: if the face there looks elsewhere, the other corners are
+/// asked, too, and what looks against the triangle is none of its business.
+fn land(
+    surface: &Surface,
+    becomes: &[u32],
+    corners: [u32; 3],
+    centre: DVec3,
+    normal: DVec3,
+) -> Option<(f64, Landing)> {
+    let mut best = (f64::INFINITY, Landing::NOWHERE);
+    for corner in corners {
+        let start = becomes[corner as usize];
+        if start == NONE {
+            return None;
+        }
+        let found = locate(surface, start, centre);
+        if found.0 < best.0 {
+            best = found;
+        }
+        let look = surface.normal(best.1.face as usize);
+        if turns_less(look, normal) {
+            return Some(best);
+        }
+    }
+    (surface.normal(best.1.face as usize).dot(normal) > 0.0).then_some(best)
 }
 
 /// Whether the angle between two vectors has at least the least cosine; also if one is zero.
