@@ -168,7 +168,10 @@ fn land(
             return Some(best);
         }
     }
-    (surface.normal(best.1.face as usize).dot(normal) > 0.0).then_some(best)
+    let looks_along = surface.normal(best.1.face as usize).dot(normal) > 0.0;
+    let apart = best.1.apart(surface, centre).0;
+    let beside = apart.dot(normal).powi(2) < 0.25 * apart.length_squared() * normal.length_squared();
+    (looks_along || (!best.1.is_inside() && beside)).then_some(best)
 }
 
 /// Whether the angle between two vectors has at least the least cosine; also if one is zero.
