@@ -27,6 +27,9 @@ const LEAST_COSINE: f64 = 0.5;
 /// Least share of its area that a face keeps in one move.
 const LEAST_AREA: f64 = 0.1;
 
+/// How far from the original a point may be moved, in terms of the root mean square of the samples.
+const ASTRAY: f64 = 3.0;
+
 /// What pulls at a point.
 #[derive(Clone, Copy, Default)]
 struct Pull {
@@ -71,14 +74,15 @@ impl<'a> Refit<'a> {
         Self { original, stride, landings, looks, mean_square: sum / weight }
     }
 
-    /// Moves the points of the surface, except those that are fixed or on the boundary.
-    pub(super) fn apply(&self, surface: &mut Surface, fixed: &[bool]) {
+    /// Moves the points of the surface, except those that are fixed or on the boundary. If `near` tells
+    /// for each a point of the original that is close, none goes astray.
+    pub(super) fn apply(&self, surface: &mut Surface, fixed: &[bool], near: Option<&[u32]>) {
         // Also not if it is not a number, because there are no samples.
         if self.mean_square > 0.0 {
             let areas: Vec<f64> = (0..surface.faces.len()).map(|i| surface.normal(i).length()).collect();
             for _ in 0..STEPS {
                 let pulls = self.pulls(surface);
-                self.move_points(surface, fixed, &pulls, &areas);
+                self.move_points(surface, (fixed, near), &pulls, &areas);
             }
         }
     }
@@ -108,7 +112,7 @@ impl<'a> Refit<'a> {
         pulls
     }
 
-    fn move_points(&self, surface: &mut Surface, fixed: &[bool], pulls: &[Pull], areas: &[f64]) {
+    fn move_points(&self, surface: &mut Surface, (fixed, near): (&[bool], Option<&[u32]>), pulls: &[Pull], areas: &[f64]) {
         for point in 0..surface.points.len() as u32 {
             if fixed[point as usize] || surface.on_boundary(point) {
                 continue;
@@ -120,12 +124,21 @@ impl<'a> Refit<'a> {
             let from = surface.at(point);
             for share in [1.0, 0.5] {
                 let place = surface.round(from + step * share);
-                if self.may_move(surface, point, place.as_dvec3() * surface.scale) {
+                let to = place.as_dvec3() * surface.scale;
+                let strays = || near.is_some_and(|near| self.strays(near[point as usize], from, to));
+                if self.may_move(surface, point, to) && !strays() {
                     surface.points[point as usize].at = place;
                     break;
                 }
             }
         }
+    }
+
+    /// Whether a point would move away from the original, farther than most samples are.
+    fn strays(&self, near: u32, from: DVec3, to: DVec3) -> bool {
+        let square = |p: DVec3| locate(self.original.surface, near, p).0;
+        let after = square(to);
+        after > ASTRAY * ASTRAY * self.mean_square && after > square(from)
     }
 
     /// Whether the faces around go on looking where they look and where the original does.
