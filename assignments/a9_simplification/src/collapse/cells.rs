@@ -24,48 +24,42 @@ pub(super) struct Cells<'a> {
 impl<'a> Cells<'a> {
     /// Sorts the faces of a surface.
     pub(super) fn new(surface: &'a Surface) -> Self {
-        let all: Vec<u32> = (0..surface.faces.len() as u32).collect();
-        Self::of(surface, &all)
-    }
-
-    /// Sorts some of its faces.
-    pub(super) fn of(surface: &'a Surface, some: &[u32]) -> Self {
-        let corners = some.iter().flat_map(|&face| surface.faces[face as usize].corners()).map(|p| surface.at(p));
+        let corners = surface.faces.iter().flat_map(|face| face.corners()).map(|p| surface.at(p));
         let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (min, max) = corners.fold(empty, |(min, max), p| (min.min(p), max.max(p)));
         let longest = (max - min).max_element();
         let size = (max - min).max(DVec3::splat(longest * THINNEST + f64::MIN_POSITIVE));
         let fineness =
-            (CELLS * some.len() as f64 / (size / longest).element_product()).cbrt() / longest;
+            (CELLS * surface.faces.len() as f64 / (size / longest).element_product()).cbrt() / longest;
         let count = size.to_array().map(|side| (side * fineness) as usize + 1);
         let first = vec![0; count.iter().product::<usize>() + 1];
         let mut cells = Self { surface, min, fineness, count, first, faces: Vec::new() };
-        cells.sort(some);
+        cells.sort();
         cells
     }
 
-    fn sort(&mut self, some: &[u32]) {
+    fn sort(&mut self) {
         let mut counts = std::mem::take(&mut self.first);
-        self.for_each_cell(some, |cell, _| counts[cell + 1] += 1);
+        self.for_each_cell(|cell, _| counts[cell + 1] += 1);
         for i in 1..counts.len() {
             counts[i] += counts[i - 1];
         }
         let mut free = counts.clone();
         let mut faces = vec![0; *counts.last().unwrap_or(&0) as usize];
-        self.for_each_cell(some, |cell, face| {
+        self.for_each_cell(|cell, face| {
             faces[free[cell] as usize] = face;
             free[cell] += 1;
         });
         (self.first, self.faces) = (counts, faces);
     }
 
-    fn for_each_cell(&self, some: &[u32], mut what: impl FnMut(usize, u32)) {
-        for &face in some {
-            let [a, b, c] = self.surface.faces[face as usize].corners().map(|p| self.surface.at(p));
+    fn for_each_cell(&self, mut what: impl FnMut(usize, u32)) {
+        for (i, face) in self.surface.faces.iter().enumerate() {
+            let [a, b, c] = face.corners().map(|p| self.surface.at(p));
             let (low, high) = (self.cell(a.min(b).min(c)), self.cell(a.max(b).max(c)));
             for z in low[2]..=high[2] {
                 for y in low[1]..=high[1] {
-                    (low[0]..=high[0]).for_each(|x| what(self.number([x, y, z]), face));
+                    (low[0]..=high[0]).for_each(|x| what(self.number([x, y, z]), i as u32));
                 }
             }
         }
@@ -96,18 +90,6 @@ impl<'a> Cells<'a> {
         best
     }
 
-    /// Whether some face within `reach` passes the test.
-    pub(super) fn any_within(&self, p: DVec3, reach: f64, mut test: impl FnMut(u32) -> bool) -> bool {
-        let (low, high) = (self.cell(p - reach), self.cell(p + reach));
-        let near = |face: u32| self.square(p, face) <= reach * reach;
-        (low[2]..=high[2]).any(|z| {
-            (low[1]..=high[1]).any(|y| {
-                (low[0]..=high[0])
-                    .any(|x| self.within(self.number([x, y, z])).iter().any(|&face| near(face) && test(face)))
-            })
-        })
-    }
-
     /// How far p is at least from what is in none of the shells so far.
     fn to_rim(&self, p: DVec3, centre: [usize; 3], shell: usize) -> f64 {
         let p = ((p - self.min) * self.fineness).to_array();
@@ -134,25 +116,14 @@ impl<'a> Cells<'a> {
     }
 
     fn look_into(&self, cell: usize, p: DVec3, best: &mut (f64, u32)) {
-        for &face in self.within(cell) {
-            let square = self.square(p, face);
+        for &face in &self.faces[self.first[cell] as usize..self.first[cell + 1] as usize] {
+            let [a, b, c] = self.surface.faces[face as usize].corners().map(|i| self.surface.at(i));
+            let [u, v, w] = nearest(p, a, b, c);
+            let square = (a * u + b * v + c * w - p).length_squared();
             if square < best.0 {
                 *best = (square, face);
             }
         }
-    }
-
-    fn within(&self, cell: usize) -> &[u32] {
-        &self.faces[self.first[cell] as usize..self.first[cell + 1] as usize]
-    }
-
-    /// Squared distance to a face.
-    #[inline(always)]
-    fn square(&self, p: DVec3, face: u32) -> f64 {
-        let [a, b, c] = self.surface.faces[face as usize].corners();
-        let (a, b, c) = (self.surface.at(a), self.surface.at(b), self.surface.at(c));
-        let [u, v, w] = nearest(p, a, b, c);
-        (a * u + b * v + c * w - p).length_squared()
     }
 }
 

@@ -1,13 +1,13 @@
 //! A mesh made ready, and the levels that one run goes through.
 
 use crate::collapse::accumulated::Accumulated;
-use crate::collapse::against::suspects;
+use crate::collapse::against::Witness;
 use crate::collapse::build::{Built, build};
 use crate::collapse::cost::Cost;
 use crate::collapse::deviation::{closest, deviation};
 use crate::collapse::melax::Curvature;
 use crate::collapse::memoryless::Memoryless;
-use crate::collapse::mend::mend;
+use crate::collapse::mend::Mender;
 use crate::collapse::original::Original;
 use crate::collapse::refit::Refit;
 use crate::collapse::run::Run;
@@ -201,8 +201,10 @@ impl<C: Cost> Level for Levels<'_, C> {
         if changed {
             let near = closest(&built.surface, &snapshot.surface, &snapshot.becomes);
             self.fit(&mut snapshot, &near);
-            let suspects = suspects(&built.surface, &snapshot.surface, &near, &snapshot.faces);
-            against = mend(&mut snapshot.surface, &built.surface, &snapshot.fixed, suspects);
+            let witness = Witness::new(&built.surface);
+            let disputed = witness.disputes(&snapshot.surface, &near, &snapshot.faces);
+            let mender = Mender { witness: &witness, fixed: &snapshot.fixed, near: &near };
+            against = mender.mend(&mut snapshot.surface, disputed);
         }
         let error = bound.then(|| if changed { self.error(&snapshot) } else { 0.0 });
         let (mesh, becomes) = snapshot.mesh(&welded.point_of, self.run.wedges.as_ref());

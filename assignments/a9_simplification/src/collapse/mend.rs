@@ -5,8 +5,7 @@
 //! that points against the original's where that is nearest to their middle. Here each of those has one
 //! of its corners moved, by as little as will do.
 
-use crate::collapse::against::{Suspect, Witness};
-use crate::collapse::balls::Ball;
+use crate::collapse::against::Witness;
 use crate::collapse::locate::nearest;
 use crate::collapse::ring::is_no_worse;
 use crate::collapse::surface::{Surface, next, previous};
@@ -16,63 +15,70 @@ use common::math::{DVec3, Vec3};
 const STEPS: [f64; 9] = [0.03, 0.05, 0.08, 0.11, 0.16, 0.23, 0.34, 0.5, 0.75];
 /// How often all faces that still look against the original are tried again.
 const ROUNDS: usize = 3;
+/// How many samples of the original tell which of several moves is best.
+const MOST_SAMPLES: usize = 60;
 
-/// A better place for a point, and by how much more the original would be off.
+/// Moves points so that faces look along the original.
+pub(super) struct Mender<'a> {
+    pub witness: &'a Witness<'a>,
+    /// Points that may not be moved.
+    pub fixed: &'a [bool],
+    /// For every point one of the original's that should be close.
+    pub near: &'a [u32],
+}
+
+/// A better place for a point.
+#[derive(Clone, Copy)]
 struct Move {
     point: u32,
     place: Vec3,
-    worse: f64,
+    to: DVec3,
 }
 
-/// Moves points that are not fixed until no suspect looks against the original; tells how many
-/// still do.
-pub(super) fn mend(surface: &mut Surface, original: &Surface, fixed: &[bool], suspects: Vec<Suspect>) -> usize {
-    let suspects: Vec<Suspect> = suspects.into_iter().map(|suspect| suspect.with_room(surface)).collect();
-    let witnesses = Witness::all(original, &suspects);
-    let mut left: Vec<_> = suspects.iter().zip(&witnesses).collect();
-    for _ in 0..ROUNDS {
-        left.retain(|(suspect, witness)| {
-            let Some(best) = suspect.best_move(witness, surface, fixed) else { return false };
-            if let Some(best) = &best {
-                surface.points[best.point as usize].at = best.place;
-            }
-            best.is_none()
-        });
-        if left.is_empty() {
-            break;
+impl Mender<'_> {
+    /// Moves corners of some faces until none of them looks against the original, and no other that
+    /// does not do so already; tells how many still do.
+    pub(super) fn mend(&self, surface: &mut Surface, mut faces: Vec<u32>) -> usize {
+        for _ in 0..ROUNDS {
+            faces.retain(|&face| {
+                if self.agrees(surface, face) {
+                    return false;
+                }
+                let best = self.best_move(surface, face);
+                if let Some(best) = best {
+                    surface.points[best.point as usize].at = best.place;
+                }
+                best.is_none()
+            });
         }
-    }
-    left.len()
-}
-
-impl Suspect {
-    /// Looks as far as its corners may move.
-    fn with_room(self, surface: &Surface) -> Self {
-        let Ball { centre, radius } = self.around;
-        let fans = surface.faces[self.face as usize].corners().map(|corner| surface.fan(corner));
-        let neighbours = fans.into_iter().flatten().flat_map(|h| [next(h), previous(h)]);
-        let farthest = neighbours.map(|h| surface.at(surface.start(h)).distance(centre)).fold(0.0, f64::max);
-        Self { around: Ball { centre, radius: farthest + 2.0 * radius }, ..self }
+        faces.len()
     }
 
-    /// The least move that helps, if there is any; `None` if nothing is wrong.
-    fn best_move(&self, witness: &Witness, surface: &Surface, fixed: &[bool]) -> Option<Option<Move>> {
-        let corners = surface.faces[self.face as usize].corners();
-        if witness.agrees(corners.map(|point| surface.at(point))) {
-            return None;
-        }
-        let may_move = |point: &&u32| !fixed[**point as usize];
+    fn agrees(&self, surface: &Surface, face: u32) -> bool {
+        let [a, b, c] = surface.faces[face as usize].corners();
+        self.witness.agrees(self.near[a as usize], [surface.at(a), surface.at(b), surface.at(c)])
+    }
+
+    /// Of the least moves that help the one that is best for what is around.
+    fn best_move(&self, surface: &Surface, face: u32) -> Option<Move> {
+        let corners = surface.faces[face as usize].corners();
+        let may_move = |point: &&u32| !self.fixed[**point as usize];
         let moves = |&step: &f64| -> Vec<Move> {
             let points = corners.iter().filter(may_move);
-            points.flat_map(|&point| self.moves(witness, surface, point, step)).collect()
+            points.flat_map(|&point| self.moves(surface, face, point, step)).collect()
         };
-        let found = STEPS.iter().map(moves).find(|moves| !moves.is_empty());
-        Some(found.and_then(|moves| moves.into_iter().min_by(|a, b| a.worse.total_cmp(&b.worse))))
+        let found = STEPS.iter().map(moves).find(|moves| !moves.is_empty())?;
+        if let [only] = found[..] {
+            return Some(only);
+        }
+        let samples = self.samples(surface, corners);
+        let judged = found.into_iter().map(|to| (worse(&samples, surface, &to), to));
+        judged.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, best)| best)
     }
 
     /// Places for a corner at which the face looks along the original and no other ceases to: all
     /// around it, but on the boundary only along that.
-    fn moves(&self, witness: &Witness, surface: &Surface, point: u32, step: f64) -> Vec<Move> {
+    fn moves(&self, surface: &Surface, face: u32, point: u32, step: f64) -> Vec<Move> {
         let from = surface.at(point);
         let ways: Vec<DVec3> = if surface.on_boundary(point) {
             let first = surface.points[point as usize].out;
@@ -85,30 +91,38 @@ impl Suspect {
         };
         let moved = |way: DVec3| {
             let place = surface.round(from + way * step);
-            let to = place.as_dvec3() * surface.scale;
-            let helps = self.helps(witness, surface, point, to);
-            helps.then(|| Move { point, place, worse: worse(witness, surface, point, to) })
+            Move { point, place, to: place.as_dvec3() * surface.scale }
         };
-        ways.into_iter().filter_map(moved).collect()
+        ways.into_iter().map(moved).filter(|to| self.helps(surface, face, to)).collect()
     }
 
-    /// Whether the face looks along the original when a point is moved, and no other ceases to.
-    fn helps(&self, witness: &Witness, surface: &Surface, point: u32, to: DVec3) -> bool {
+    /// Whether the face looks along the original after a move, and no other ceases to.
+    fn helps(&self, surface: &Surface, face: u32, &Move { point, to, .. }: &Move) -> bool {
         let from = surface.at(point);
         let keeps = |h: u32| {
             let [p, q] = sides(surface, h);
             let turns = (p - from).cross(q - from).dot((p - to).cross(q - to)) <= 0.0;
-            (h >> 2 == self.face || !turns) && keeps_shape(from, to, [p, q])
+            (h >> 2 == face || !turns) && keeps_shape(from, to, [p, q])
         };
         let agrees = |h: u32, corner: DVec3| {
             let [p, q] = sides(surface, h);
-            witness.agrees([corner, p, q])
+            self.witness.agrees(self.near[point as usize], [corner, p, q])
         };
         // What looks against the original already may do so a while longer.
-        let others = |h: u32| h >> 2 == self.face || agrees(h, to) || !agrees(h, from);
+        let others = |h: u32| h >> 2 == face || agrees(h, to) || !agrees(h, from);
         surface.fan(point).all(keeps)
-            && surface.fan(point).filter(|h| h >> 2 == self.face).all(|h| agrees(h, to))
+            && surface.fan(point).filter(|h| h >> 2 == face).all(|h| agrees(h, to))
             && surface.fan(point).all(others)
+    }
+
+    /// Middles of some of the original's faces around a face.
+    fn samples(&self, surface: &Surface, corners: [u32; 3]) -> Vec<DVec3> {
+        let around = corners.into_iter().flat_map(|corner| surface.fan(corner)).map(|h| surface.at(surface.end(h)));
+        let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (low, high) = around.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
+        let samples = self.witness.middles_within(low, high);
+        let stride = samples.len().div_ceil(MOST_SAMPLES).max(1);
+        samples.into_iter().step_by(stride).collect()
     }
 }
 
@@ -122,9 +136,9 @@ fn sides(surface: &Surface, h: u32) -> [DVec3; 2] {
     [next(h), previous(h)].map(|h| surface.at(surface.start(h)))
 }
 
-/// By how much the sum of the squares of the original's distances grows when a point is moved.
+/// By how much the sum of the squares of the samples' distances grows when a point is moved.
 /// What is far from all faces there does not count, as it is nearest to the rim, which stays.
-fn worse(witness: &Witness, surface: &Surface, point: u32, to: DVec3) -> f64 {
+fn worse(samples: &[DVec3], surface: &Surface, &Move { point, to, .. }: &Move) -> f64 {
     let square = |sample: DVec3, corner: DVec3| {
         let squares = surface.fan(point).map(|h| {
             let [p, q] = sides(surface, h);
@@ -134,7 +148,7 @@ fn worse(witness: &Witness, surface: &Surface, point: u32, to: DVec3) -> f64 {
         squares.fold(f64::INFINITY, f64::min)
     };
     let from = surface.at(point);
-    witness.samples().map(|sample| square(sample, to) - square(sample, from)).sum()
+    samples.iter().map(|&sample| square(sample, to) - square(sample, from)).sum()
 }
 
 /// Whether a face is not made a sliver when one of its corners moves; the others are p and q.

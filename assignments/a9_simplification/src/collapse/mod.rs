@@ -6,7 +6,7 @@
 
 mod accumulated;
 mod against;
-mod balls;
+mod boxes;
 mod build;
 mod cells;
 mod cost;
