@@ -11,7 +11,7 @@ use crate::collapse::surface::Surface;
 use common::math::DVec3;
 
 /// Size of a cell, in sides of the original's triangles.
-const CELL: f64 = 1.5;
+const CELL: f64 = 0.8;
 /// How much farther one looks than one need, lest rounding leave something out.
 const FARTHER: f64 = 1.0 + 1e-9;
 
@@ -56,7 +56,8 @@ impl<'a> Witness<'a> {
             return false;
         }
         self.boxes.near(p - reach, p + reach, |face| {
-            none &= self.original.normal(face as usize).dot(normal) >= 0.0 || self.square(face, p) > far * FARTHER;
+            none &= self.original.normal(face as usize).dot(normal) >= 0.0
+                || self.square(face, p) > far * FARTHER;
         });
         none
     }

@@ -79,7 +79,8 @@ impl Boxes {
     /// Neighbours along x are neighbours in memory.
     #[inline(always)]
     fn slot(&self, [x, y, z]: [i32; 3]) -> usize {
-        x.wrapping_add(y.wrapping_mul(12_347)).wrapping_add(z.wrapping_mul(7_654_321)) as usize & self.last_slot
+        x.wrapping_add(y.wrapping_mul(12_347)).wrapping_add(z.wrapping_mul(7_654_321)) as usize
+            & self.last_slot
     }
 
     /// Calls `what` with the number of every box that meets this one; with some of them more than once,

@@ -19,6 +19,8 @@ const LEAST: f64 = 1.0 / (1u64 << 23) as f64;
 const LONGEST_WAY: u32 = 256;
 /// How many corners a polygon may have.
 const CORNERS: usize = 12;
+/// How far a polygon may reach at first, in terms of the longest side of the face it is held against.
+const LARGE: f64 = 2.0;
 /// Into how many polygons a triangle is cut at most, for each triangle of the other surface.
 const MOST_POLYGONS: usize = 256;
 
@@ -105,6 +107,14 @@ impl Task {
         if !cut {
             return whole.min(self.polygon.about_middle(find));
         }
+        // A large polygon comes apart into slivers on its way: better in halves, each from its own place.
+        if self.way == 0 && self.polygon.reach2() > LARGE * LARGE * longest2([a, b, c]) {
+            tasks.extend(self.polygon.halves().map(|polygon| {
+                let face = find(polygon.middle()).1;
+                Self { polygon, face, entry: NONE, way: 0 }
+            }));
+            return 0.0;
+        }
         if self.way > LONGEST_WAY {
             return self.settle(to, find, self.polygon, enough, tasks);
         }
@@ -149,14 +159,21 @@ impl Task {
             return distance;
         }
         let nearer = find(polygon.middle()).1;
-        let lost = |polygon| Self { polygon, face: nearer, entry: NONE, way: NONE };
+        let lost = |polygon, way| Self { polygon, face: nearer, entry: NONE, way };
         if nearer != self.face {
-            tasks.push(lost(polygon));
-        } else {
-            tasks.extend(polygon.halves().map(lost));
+            tasks.push(lost(polygon, NONE));
+            return 0.0;
         }
+        // What is larger than the face may find its way from here.
+        let is_large = polygon.reach2() > longest2([a, b, c]);
+        tasks.extend(polygon.halves().map(|half| lost(half, if is_large { 0 } else { NONE })));
         0.0
     }
+}
+
+/// Square of the longest side of a triangle.
+fn longest2([a, b, c]: [DVec3; 3]) -> f64 {
+    a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a))
 }
 
 impl Polygon {
@@ -174,11 +191,15 @@ impl Polygon {
         self.corners().sum::<DVec3>() / self.count as f64
     }
 
+    /// Square of how far it reaches from its middle.
+    fn reach2(&self) -> f64 {
+        let middle = self.middle();
+        self.corners().map(|p| (p - middle).length_squared()).fold(0.0, f64::max)
+    }
+
     /// Distance of its middle and how far it reaches from there.
     fn about_middle(&self, find: impl Fn(DVec3) -> (f64, u32)) -> f64 {
-        let middle = self.middle();
-        let reach = self.corners().map(|p| (p - middle).length_squared()).fold(0.0, f64::max).sqrt();
-        find(middle).0.sqrt() + reach
+        find(self.middle()).0.sqrt() + self.reach2().sqrt()
     }
 
     /// Cut across its longest side.

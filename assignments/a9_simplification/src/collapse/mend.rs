@@ -117,7 +117,8 @@ impl Mender<'_> {
 
     /// Middles of some of the original's faces around a face.
     fn samples(&self, surface: &Surface, corners: [u32; 3]) -> Vec<DVec3> {
-        let around = corners.into_iter().flat_map(|corner| surface.fan(corner)).map(|h| surface.at(surface.end(h)));
+        let around =
+            corners.into_iter().flat_map(|corner| surface.fan(corner)).map(|h| surface.at(surface.end(h)));
         let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (low, high) = around.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
         let samples = self.witness.middles_within(low, high);

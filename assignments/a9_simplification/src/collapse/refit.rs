@@ -112,7 +112,13 @@ impl<'a> Refit<'a> {
         pulls
     }
 
-    fn move_points(&self, surface: &mut Surface, (fixed, near): (&[bool], Option<&[u32]>), pulls: &[Pull], areas: &[f64]) {
+    fn move_points(
+        &self,
+        surface: &mut Surface,
+        (fixed, near): (&[bool], Option<&[u32]>),
+        pulls: &[Pull],
+        areas: &[f64],
+    ) {
         for point in 0..surface.points.len() as u32 {
             if fixed[point as usize] || surface.on_boundary(point) {
                 continue;
