@@ -8,10 +8,12 @@
 use crate::collapse::boxes::Boxes;
 use crate::collapse::locate::{locate, nearest};
 use crate::collapse::surface::Surface;
-use common::math::DVec3;
+use common::math::{DVec3, Vec3};
 
 /// Size of a cell, in sides of the original's triangles.
-const CELL: f64 = 0.8;
+const CELL: f64 = 1.0;
+/// More than the error of a cosine in single precision.
+const ROUNDING: f32 = 1e-5;
 /// How much farther one looks than one need, lest rounding leave something out.
 const FARTHER: f64 = 1.0 + 1e-9;
 
@@ -19,6 +21,8 @@ const FARTHER: f64 = 1.0 + 1e-9;
 pub(super) struct Witness<'a> {
     original: &'a Surface,
     boxes: Boxes,
+    /// Unit normals, or zero, to be rid of most faces quickly.
+    normals: Vec<Vec3>,
     /// Side of a cell.
     cell: f64,
 }
@@ -32,7 +36,9 @@ impl<'a> Witness<'a> {
             (a.min(b).min(c), a.max(b).max(c))
         };
         let cell = CELL * mean_side(original);
-        Self { original, boxes: Boxes::new(original.faces.len(), cell, of), cell }
+        let normal = |i: usize| original.normal(i).normalize_or_zero().as_vec3();
+        let normals = (0..original.faces.len()).map(normal).collect();
+        Self { original, boxes: Boxes::new(original.faces.len(), cell, of), normals, cell }
     }
 
     /// The faces that look against the original. `near` tells for every point of the surface one of the
@@ -55,9 +61,12 @@ impl<'a> Witness<'a> {
         if reach > self.cell {
             return false;
         }
+        let quickly = normal.normalize_or_zero().as_vec3();
         self.boxes.near(p - reach, p + reach, |face| {
-            none &= self.original.normal(face as usize).dot(normal) >= 0.0
-                || self.square(face, p) > far * FARTHER;
+            if self.normals[face as usize].dot(quickly) < ROUNDING {
+                let looks_along = self.original.normal(face as usize).dot(normal) >= 0.0;
+                none &= looks_along || self.square(face, p) > far * FARTHER;
+            }
         });
         none
     }

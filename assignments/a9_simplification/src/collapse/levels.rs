@@ -56,10 +56,8 @@ struct Finish {
     rounds: usize,
 }
 
-/// Triangles of the original for each that is left, from which on a second and a third round are worth
-/// their time.
-const FEW: usize = 5;
-const VERY_FEW: usize = 50;
+/// Triangles of the original for each that is left, from which on more than one round is worth its time.
+const FEW: usize = 20;
 
 /// As many samples as were found to lower the error.
 const ALWAYS: Finish = Finish { samples: 32, from: 1, rounds: 3 };
@@ -150,7 +148,7 @@ impl<C: Cost> Levels<'_, C> {
         }
         // Where few points are left, samples and rounds are cheap, and each has more to tell.
         let samples = samples.max(for_each / 4);
-        let rounds = rounds.min(1 + usize::from(for_each >= FEW) + usize::from(for_each >= VERY_FEW));
+        let rounds = if for_each >= FEW { rounds } else { rounds.min(1) };
         let original = Original::new(mesh, welded, &built.surface);
         for round in 0..rounds {
             let refit = Refit::new(&original, &snapshot.surface, &snapshot.becomes, samples);
