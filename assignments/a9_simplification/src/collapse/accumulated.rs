@@ -90,6 +90,11 @@ impl Cost for Accumulated {
         cheapest(surface, h, form, |y, z| (p.at(y) + q.at(z)).max(0.0))
     }
 
+    #[cfg(test)]
+    fn bytes(&self) -> usize {
+        self.of.capacity() * size_of::<Quadric>()
+    }
+
     fn merged(&mut self, _: &Surface, _: &Ring, merge: &Merge) {
         let [p, q] = [merge.kept, merge.gone].map(|point| self.of[point as usize]);
         let [p, q] = [p.moved(merge.place - merge.from[0]), q.moved(merge.place - merge.from[1])];

@@ -41,6 +41,12 @@ impl<'a> Witness<'a> {
         Self { original, boxes: Boxes::new(original.faces.len(), cell, of), normals, cell }
     }
 
+    /// Bytes that are held.
+    #[cfg(test)]
+    pub(super) fn bytes(&self) -> usize {
+        self.boxes.bytes() + self.normals.capacity() * size_of::<Vec3>()
+    }
+
     /// The faces that look against the original. `near` tells for every point of the surface one of the
     /// original's that should be close, `was` for every face which of the original's it was.
     pub(super) fn disputes(&self, surface: &Surface, near: &[u32], was: &[u32]) -> Vec<u32> {

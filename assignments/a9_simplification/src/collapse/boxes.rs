@@ -35,6 +35,12 @@ impl Boxes {
         boxes
     }
 
+    /// Bytes that are held.
+    #[cfg(test)]
+    pub(super) fn bytes(&self) -> usize {
+        (self.first.capacity() + self.sorted.capacity() + self.large.capacity()) * size_of::<u32>()
+    }
+
     fn sort(&mut self, of: impl Fn(usize) -> (DVec3, DVec3)) {
         let mut first = std::mem::take(&mut self.first);
         for i in 0..self.count {

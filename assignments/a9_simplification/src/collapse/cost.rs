@@ -42,6 +42,10 @@ pub(super) trait Cost: Clone {
     /// The price of drawing the edge of a half-edge together.
     fn price(&self, surface: &Surface, h: u32) -> Offer;
 
+    /// Bytes that are held for all points.
+    #[cfg(test)]
+    fn bytes(&self) -> usize;
+
     /// Takes note of a step: `surface` as it is after it, `ring` as it looked before it.
     fn merged(&mut self, surface: &Surface, ring: &Ring, merge: &Merge);
 }

@@ -90,6 +90,11 @@ impl Cost for Memoryless {
         cheapest(surface, h, |edge| (*a + *b, b.times(edge)), |y, z| a.square(y) + b.square(z))
     }
 
+    #[cfg(test)]
+    fn bytes(&self) -> usize {
+        self.of.capacity() * size_of::<Symmetric>()
+    }
+
     fn merged(&mut self, surface: &Surface, ring: &Ring, merge: &Merge) {
         let kept = merge.kept;
         let mut sum = Symmetric::default();
