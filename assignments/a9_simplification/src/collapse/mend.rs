@@ -13,8 +13,10 @@ use common::math::{DVec3, Vec3};
 
 /// How far a corner is moved, in lengths of an edge: the first that helps is taken.
 const STEPS: [f64; 9] = [0.03, 0.05, 0.08, 0.11, 0.16, 0.23, 0.34, 0.5, 0.75];
-/// How often all faces that still look against the original are tried again.
-const ROUNDS: usize = 3;
+/// In how many directions, as points of a lattice on a side, and how often what still looks against the
+/// original is tried again.
+const FINENESS: [i32; 3] = [3, 4, FINEST];
+const FINEST: i32 = 7;
 /// How many samples of the original tell which of several moves is best.
 const MOST_SAMPLES: usize = 60;
 
@@ -39,12 +41,12 @@ impl Mender<'_> {
     /// Moves corners of some faces until none of them looks against the original, and no other that
     /// does not do so already; tells how many still do.
     pub(super) fn mend(&self, surface: &mut Surface, mut faces: Vec<u32>) -> usize {
-        for _ in 0..ROUNDS {
+        for fineness in FINENESS {
             faces.retain(|&face| {
                 if self.agrees(surface, face) {
                     return false;
                 }
-                let best = self.best_move(surface, face);
+                let best = self.best_move(surface, face, fineness);
                 if let Some(best) = best {
                     surface.points[best.point as usize].at = best.place;
                 }
@@ -60,12 +62,12 @@ impl Mender<'_> {
     }
 
     /// Of the least moves that help the one that is best for what is around.
-    fn best_move(&self, surface: &Surface, face: u32) -> Option<Move> {
+    fn best_move(&self, surface: &Surface, face: u32, fineness: i32) -> Option<Move> {
         let corners = surface.faces[face as usize].corners();
         let may_move = |point: &&u32| !self.fixed[**point as usize];
         let moves = |&step: &f64| -> Vec<Move> {
             let points = corners.iter().filter(may_move);
-            points.flat_map(|&point| self.moves(surface, face, point, step)).collect()
+            points.flat_map(|&point| self.moves(surface, face, point, (step, fineness))).collect()
         };
         let found = STEPS.iter().map(moves).find(|moves| !moves.is_empty())?;
         if let [only] = found[..] {
@@ -77,17 +79,17 @@ impl Mender<'_> {
     }
 
     /// Places for a corner at which the face looks along the original and no other ceases to: all
-    /// around it, but on the boundary only along that.
-    fn moves(&self, surface: &Surface, face: u32, point: u32, step: f64) -> Vec<Move> {
+    /// around it, but on the boundary only along that unless nothing else has helped.
+    fn moves(&self, surface: &Surface, face: u32, point: u32, (step, fineness): (f64, i32)) -> Vec<Move> {
         let from = surface.at(point);
-        let ways: Vec<DVec3> = if surface.on_boundary(point) {
+        let ways: Vec<DVec3> = if surface.on_boundary(point) && fineness < FINEST {
             let first = surface.points[point as usize].out;
             let last = surface.fan(point).last().map_or(first, previous);
             [surface.end(first), surface.start(last)].map(|p| surface.at(p) - from).to_vec()
         } else {
             let lengths = surface.fan(point).map(|h| surface.at(surface.end(h)).distance(from));
             let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), length| (sum + length, count + 1.0));
-            (0..27).map(|i| on_cube(i).normalize_or_zero() * (sum / count)).collect()
+            ways_from_middle(fineness).map(|way| way * (sum / count)).collect()
         };
         let moved = |way: DVec3| {
             let place = surface.round(from + way * step);
@@ -127,9 +129,11 @@ impl Mender<'_> {
     }
 }
 
-/// Corners, middles of sides and of faces of a cube; the thirteenth is its middle.
-fn on_cube(i: i32) -> DVec3 {
-    DVec3::new(f64::from(i % 3), f64::from(i / 3 % 3), f64::from(i / 9)) - 1.0
+/// Directions from the middle of a cube to the points of a lattice, `n` on a side; also no direction.
+fn ways_from_middle(n: i32) -> impl Iterator<Item = DVec3> {
+    let middle = f64::from(n - 1) / 2.0;
+    let point = move |i: i32| DVec3::new(f64::from(i % n), f64::from(i / n % n), f64::from(i / n / n));
+    (0..n * n * n).map(move |i| (point(i) - middle).normalize_or_zero())
 }
 
 /// The other two corners of the face of a half-edge.
