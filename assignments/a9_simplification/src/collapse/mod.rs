@@ -18,6 +18,7 @@ mod memoryless;
 mod mend;
 mod merge;
 mod original;
+mod polygon;
 mod quadric;
 mod queue;
 mod refit;
