@@ -69,6 +69,10 @@ pub struct Simplified {
     /// hundredths larger than it need be where the surfaces run beside each other. There if
     /// [`Settings::bound`] asked for it or the goal was one.
     pub error: Option<f64>,
+    /// How many triangles look against the original: against every triangle of it that is nearest to
+    /// their middles. 0 unless no place was found for their corners at which they do not, as may
+    /// be where the original is folded.
+    pub against: usize,
     /// For every vertex of the original the one it became; `u32::MAX` if it is gone altogether.
     pub becomes: Vec<u32>,
     /// What was irregular in the original.

@@ -4,7 +4,7 @@
 //! Each is kept about the point that it belongs to, not about the origin: numbers stay small where
 //! distances are, and nothing cancels far from the origin.
 
-use crate::collapse::cost::{Cost, Merge, Offer, minimum};
+use crate::collapse::cost::{Cost, Merge, Offer, cheapest};
 use crate::collapse::quadric::Symmetric;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface};
@@ -13,8 +13,6 @@ use common::simd::prefetch;
 
 /// How much the edge of a boundary counts, in terms of triangles of about its size.
 const BOUNDARY: f64 = 20.0;
-/// How much the squared length of the edge counts, so that on flat parts short edges come first.
-const SHAPE: f64 = 1e-5;
 
 /// yᵀ·A·y + 2·b·y + c for y relative to the point. Entries of A are as in [`Symmetric`], without
 /// its alignment, which would make half as much again of it.
@@ -87,14 +85,14 @@ impl Cost for Accumulated {
 
     #[inline(always)]
     fn price(&self, surface: &Surface, h: u32) -> Offer {
-        let (start, end) = (surface.start(h), surface.end(h));
-        let (p, q) = (&self.of[start as usize], &self.of[end as usize]);
-        let from = surface.at(start);
-        let edge = surface.at(end) - from;
-        let sum = p.a() + q.a();
-        let right = q.a().times(edge) - p.b - q.b;
-        let (y, cost) = minimum(sum, right, edge, |y| (p.at(y) + q.at(y - edge)).max(0.0));
-        Offer { cost: cost + SHAPE * sum.trace() * edge.length_squared(), place: from + y }
+        let [p, q] = [surface.start(h), surface.end(h)].map(|point| &self.of[point as usize]);
+        let form = |edge| (p.a() + q.a(), q.a().times(edge) - p.b - q.b);
+        cheapest(surface, h, form, |y, z| (p.at(y) + q.at(z)).max(0.0))
+    }
+
+    #[cfg(test)]
+    fn bytes(&self) -> usize {
+        self.of.capacity() * size_of::<Quadric>()
     }
 
     fn merged(&mut self, _: &Surface, _: &Ring, merge: &Merge) {

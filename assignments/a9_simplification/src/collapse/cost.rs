@@ -9,6 +9,9 @@ use common::math::DVec3;
 /// the middle of the edge decides. It is relative, so flat is flat at any scale.
 const LEAST_RANK: f64 = 1e-9;
 
+/// How much the squared length of the edge counts, so that on flat parts short edges come first.
+const SHAPE: f64 = 1e-5;
+
 /// What it costs to draw an edge together, and the place that costs least.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Offer {
@@ -39,15 +42,35 @@ pub(super) trait Cost: Clone {
     /// The price of drawing the edge of a half-edge together.
     fn price(&self, surface: &Surface, h: u32) -> Offer;
 
+    /// Bytes that are held for all points.
+    #[cfg(test)]
+    fn bytes(&self) -> usize;
+
     /// Takes note of a step: `surface` as it is after it, `ring` as it looked before it.
     fn merged(&mut self, surface: &Surface, ring: &Ring, merge: &Merge);
+}
+
+/// The offer for the edge of a half-edge: `form` tells for the way along it A and r as in [`minimum`], `error` what
+/// it costs to put the point at y, seen from the edge's start and from its end.
+#[inline(always)]
+pub(super) fn cheapest(
+    surface: &Surface,
+    h: u32,
+    form: impl FnOnce(DVec3) -> (Symmetric, DVec3),
+    error: impl Fn(DVec3, DVec3) -> f64,
+) -> Offer {
+    let from = surface.at(surface.start(h));
+    let edge = surface.at(surface.end(h)) - from;
+    let (sum, right) = form(edge);
+    let (y, cost) = minimum(sum, right, edge, |y| error(y, y - edge));
+    Offer { cost: cost + SHAPE * sum.trace() * edge.length_squared(), place: from + y }
 }
 
 /// Where yᵀ·A·y − 2·r·y is least, relative to the start of an edge, and what `error` is there. In
 /// directions in which A does not tell, the middle of the edge is taken; if the minimum is far
 /// from the edge, the best of its ends and its middle.
 #[inline(always)]
-pub(super) fn minimum(a: Symmetric, r: DVec3, edge: DVec3, error: impl Fn(DVec3) -> f64) -> (DVec3, f64) {
+fn minimum(a: Symmetric, r: DVec3, edge: DVec3, error: impl Fn(DVec3) -> f64) -> (DVec3, f64) {
     let mut regular = a;
     let weight = LEAST_RANK * a.trace();
     regular.add_diagonal(weight);

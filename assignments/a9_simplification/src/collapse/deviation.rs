@@ -7,7 +7,8 @@
 //! well polygons and faces are matched decides how close the bound is, not whether it holds.
 
 use crate::collapse::cells::Cells;
-use crate::collapse::locate::{locate, nearest};
+use crate::collapse::locate::locate;
+use crate::collapse::polygon::Polygon;
 use crate::collapse::surface::{NONE, Surface};
 use common::math::DVec3;
 
@@ -17,17 +18,10 @@ const SLACK: f64 = 1.05;
 const LEAST: f64 = 1.0 / (1u64 << 23) as f64;
 /// Through how many faces a polygon is passed on.
 const LONGEST_WAY: u32 = 256;
-/// How many corners a polygon may have.
-const CORNERS: usize = 12;
+/// How far a polygon may reach at first, in terms of the longest side of the face it is held against.
+const LARGE: f64 = 2.0;
 /// Into how many polygons a triangle is cut at most, for each triangle of the other surface.
 const MOST_POLYGONS: usize = 256;
-
-/// A convex polygon.
-#[derive(Clone, Copy)]
-struct Polygon {
-    corners: [DVec3; CORNERS],
-    count: usize,
-}
 
 /// A polygon and the other surface's face to hold it against.
 struct Task {
@@ -105,6 +99,14 @@ impl Task {
         if !cut {
             return whole.min(self.polygon.about_middle(find));
         }
+        // A large polygon comes apart into slivers on its way: better in halves, each from its own place.
+        if self.way == 0 && self.polygon.reach2() > LARGE * LARGE * longest2([a, b, c]) {
+            tasks.extend(self.polygon.halves().map(|polygon| {
+                let face = find(polygon.middle()).1;
+                Self { polygon, face, entry: NONE, way: 0 }
+            }));
+            return 0.0;
+        }
         if self.way > LONGEST_WAY {
             return self.settle(to, find, self.polygon, enough, tasks);
         }
@@ -149,94 +151,19 @@ impl Task {
             return distance;
         }
         let nearer = find(polygon.middle()).1;
-        let lost = |polygon| Self { polygon, face: nearer, entry: NONE, way: NONE };
+        let lost = |polygon, way| Self { polygon, face: nearer, entry: NONE, way };
         if nearer != self.face {
-            tasks.push(lost(polygon));
-        } else {
-            tasks.extend(polygon.halves().map(lost));
+            tasks.push(lost(polygon, NONE));
+            return 0.0;
         }
+        // What is larger than the face may find its way from here.
+        let is_large = polygon.reach2() > longest2([a, b, c]);
+        tasks.extend(polygon.halves().map(|half| lost(half, if is_large { 0 } else { NONE })));
         0.0
     }
 }
 
-impl Polygon {
-    fn triangle([a, b, c]: [DVec3; 3]) -> Self {
-        let mut corners = [DVec3::ZERO; CORNERS];
-        corners[..3].copy_from_slice(&[a, b, c]);
-        Self { corners, count: 3 }
-    }
-
-    fn corners(&self) -> impl Iterator<Item = DVec3> {
-        self.corners[..self.count].iter().copied()
-    }
-
-    fn middle(&self) -> DVec3 {
-        self.corners().sum::<DVec3>() / self.count as f64
-    }
-
-    /// Distance of its middle and how far it reaches from there.
-    fn about_middle(&self, find: impl Fn(DVec3) -> (f64, u32)) -> f64 {
-        let middle = self.middle();
-        let reach = self.corners().map(|p| (p - middle).length_squared()).fold(0.0, f64::max).sqrt();
-        find(middle).0.sqrt() + reach
-    }
-
-    /// Cut across its longest side.
-    fn halves(self) -> [Self; 2] {
-        let sides = (0..self.count).map(|i| (self.corners[i], self.corners[(i + 1) % self.count]));
-        let longest =
-            sides.max_by(|s, t| (s.1 - s.0).length_squared().total_cmp(&(t.1 - t.0).length_squared()));
-        let (p, q) = longest.expect("a polygon has sides");
-        let (middle, along) = ((p + q) / 2.0, q - p);
-        let mut kept = self;
-        let rest = kept.clip(|x| (x - middle).dot(along));
-        [kept, rest.unwrap_or(kept)]
-    }
-
-    /// Largest distance to a triangle.
-    fn distance(&self, a: DVec3, b: DVec3, c: DVec3) -> f64 {
-        let squares = self.corners().map(|p| {
-            let [u, v, w] = nearest(p, a, b, c);
-            (a * u + b * v + c * w - p).length_squared()
-        });
-        squares.fold(0.0, f64::max).sqrt()
-    }
-
-    fn push(&mut self, p: DVec3) {
-        self.corners[self.count] = p;
-        self.count += 1;
-    }
-
-    /// Keeps what is not above zero, and returns the rest if there is any. A polygon with too many
-    /// corners is not cut.
-    fn clip(&mut self, height: impl Fn(DVec3) -> f64) -> Option<Self> {
-        let whole = *self;
-        let heights: [f64; CORNERS] =
-            std::array::from_fn(|i| if i < whole.count { height(whole.corners[i]) } else { 0.0 });
-        let above = heights[..whole.count].iter().filter(|&&h| h > 0.0).count();
-        if above == 0 || whole.count + 2 > CORNERS {
-            return None;
-        }
-        if above == whole.count {
-            self.count = 0;
-            return Some(whole);
-        }
-        let (mut kept, mut rest) = (Self { count: 0, ..whole }, Self { count: 0, ..whole });
-        for i in 0..whole.count {
-            let j = (i + 1) % whole.count;
-            let (p, q) = (whole.corners[i], whole.corners[j]);
-            if heights[i] > 0.0 {
-                rest.push(p)
-            } else {
-                kept.push(p)
-            }
-            if (heights[i] > 0.0) != (heights[j] > 0.0) {
-                let crossing = p + (q - p) * (heights[i] / (heights[i] - heights[j]));
-                kept.push(crossing);
-                rest.push(crossing);
-            }
-        }
-        *self = kept;
-        Some(rest)
-    }
+/// Square of the longest side of a triangle.
+fn longest2([a, b, c]: [DVec3; 3]) -> f64 {
+    a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a))
 }

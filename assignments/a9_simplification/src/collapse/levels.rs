@@ -1,11 +1,13 @@
 //! A mesh made ready, and the levels that one run goes through.
 
 use crate::collapse::accumulated::Accumulated;
+use crate::collapse::against::Witness;
 use crate::collapse::build::{Built, build};
 use crate::collapse::cost::Cost;
 use crate::collapse::deviation::{closest, deviation};
 use crate::collapse::melax::Curvature;
 use crate::collapse::memoryless::Memoryless;
+use crate::collapse::mend::Mender;
 use crate::collapse::original::Original;
 use crate::collapse::refit::Refit;
 use crate::collapse::run::Run;
@@ -50,14 +52,19 @@ struct Finish {
     samples: usize,
     /// Triangles of the original for each that is left from which on it is done.
     from: usize,
+    /// How often samples are tied anew, at most.
+    rounds: usize,
 }
 
+/// Triangles of the original for each that is left, from which on more than one round is worth its time.
+const FEW: usize = 20;
+
 /// As many samples as were found to lower the error.
-const ALWAYS: Finish = Finish { samples: 32, from: 1 };
+const ALWAYS: Finish = Finish { samples: 32, from: 1, rounds: 3 };
 /// As few as bring most of it, where they bring much.
-const QUICKLY: Finish = Finish { samples: 8, from: 5 };
+const QUICKLY: Finish = Finish { samples: 8, from: 5, rounds: 1 };
 /// Points stay where the run put them.
-const NEVER: Finish = Finish { samples: 0, from: usize::MAX };
+const NEVER: Finish = Finish { samples: 0, from: usize::MAX, rounds: 0 };
 
 struct Levels<'a, C> {
     prepared: &'a Prepared<'a>,
@@ -130,6 +137,26 @@ fn repeats(triangles: impl Iterator<Item = [u32; 3]>) -> HashSet<usize> {
 }
 
 impl<C: Cost> Levels<'_, C> {
+    /// Moves the points that are left to where the original wants them; `near` tells for each a point
+    /// of the original that is close.
+    fn fit(&self, snapshot: &mut Snapshot, near: &[u32]) {
+        let Prepared { mesh, welded, built, .. } = self.prepared;
+        let Finish { samples, from, rounds } = self.finish;
+        let for_each = built.surface.faces.len() / snapshot.surface.alive.max(1);
+        if for_each < from {
+            return;
+        }
+        // Where few points are left, samples and rounds are cheap, and each has more to tell.
+        let samples = samples.max(for_each / 4);
+        let rounds = if for_each >= FEW { rounds } else { rounds.min(1) };
+        let original = Original::new(mesh, welded, &built.surface);
+        for round in 0..rounds {
+            let refit = Refit::new(&original, &snapshot.surface, &snapshot.becomes, samples);
+            // The first round brings back tips that got lost, however far.
+            refit.apply(&mut snapshot.surface, &snapshot.fixed, (round > 0).then_some(near));
+        }
+    }
+
     /// Bound of the distance between what is left and the original, both ways.
     fn error(&self, snapshot: &Snapshot) -> f64 {
         let (original, left) = (&self.prepared.built.surface, &snapshot.surface);
@@ -165,20 +192,20 @@ impl<C: Cost> Level for Levels<'_, C> {
     }
 
     fn simplified(&self, stopped: Stopped, bound: bool) -> Simplified {
-        let Prepared { mesh, welded, built, irregular, .. } = self.prepared;
+        let Prepared { welded, built, irregular, .. } = self.prepared;
         let mut snapshot = Snapshot::take(&self.run);
         let changed = self.faces() < built.surface.faces.len();
-        let Finish { samples, from } = self.finish;
-        let for_each = built.surface.faces.len() / self.faces().max(1);
-        if changed && for_each >= from {
-            // Where few points are left, samples are cheap, and each has more to tell.
-            let samples = samples.max(for_each / 4);
-            let original = Original::new(mesh, welded, built.surface.scale);
-            let refit = Refit::new(&original, &snapshot.surface, &snapshot.becomes, samples);
-            refit.apply(&mut snapshot.surface, &snapshot.fixed);
+        let mut against = 0;
+        if changed {
+            let near = closest(&built.surface, &snapshot.surface, &snapshot.becomes);
+            self.fit(&mut snapshot, &near);
+            let witness = Witness::new(&built.surface);
+            let disputed = witness.disputes(&snapshot.surface, &near, &snapshot.faces);
+            let mender = Mender { witness: &witness, fixed: &snapshot.fixed, near: &near };
+            against = mender.mend(&mut snapshot.surface, disputed);
         }
         let error = bound.then(|| if changed { self.error(&snapshot) } else { 0.0 });
         let (mesh, becomes) = snapshot.mesh(&welded.point_of, self.run.wedges.as_ref());
-        Simplified { mesh, stopped, error, becomes, irregular: *irregular }
+        Simplified { mesh, stopped, error, against, becomes, irregular: *irregular }
     }
 }

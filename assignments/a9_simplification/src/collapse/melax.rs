@@ -29,6 +29,11 @@ impl Cost for Curvature {
         }
     }
 
+    #[cfg(test)]
+    fn bytes(&self) -> usize {
+        0
+    }
+
     fn merged(&mut self, _: &Surface, _: &Ring, _: &Merge) {}
 }
 

@@ -5,7 +5,7 @@
 //! A step changes the triangles of the points around it; what they lose and gain is known from
 //! checking the step, and so nothing is ever summed up anew.
 
-use crate::collapse::cost::{Cost, Merge, Offer, minimum};
+use crate::collapse::cost::{Cost, Merge, Offer, cheapest};
 use crate::collapse::quadric::Symmetric;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface, previous};
@@ -14,8 +14,6 @@ use common::simd::prefetch;
 
 /// How much the edge of a boundary counts, in terms of triangles of about its size.
 const BOUNDARY: f64 = 4.0;
-/// How much the squared length of the edge counts, so that on flat parts short edges come first.
-const SHAPE: f64 = 1e-5;
 
 /// For every point the sum over its triangles of √area times the squared distance to the plane.
 ///
@@ -88,13 +86,13 @@ impl Cost for Memoryless {
 
     #[inline(always)]
     fn price(&self, surface: &Surface, h: u32) -> Offer {
-        let (start, end) = (surface.start(h), surface.end(h));
-        let (a, b) = (&self.of[start as usize], &self.of[end as usize]);
-        let from = surface.at(start);
-        let edge = surface.at(end) - from;
-        let sum = *a + *b;
-        let (y, cost) = minimum(sum, b.times(edge), edge, |y| a.square(y) + b.square(y - edge));
-        Offer { cost: cost + SHAPE * sum.trace() * edge.length_squared(), place: from + y }
+        let [a, b] = [surface.start(h), surface.end(h)].map(|point| &self.of[point as usize]);
+        cheapest(surface, h, |edge| (*a + *b, b.times(edge)), |y, z| a.square(y) + b.square(z))
+    }
+
+    #[cfg(test)]
+    fn bytes(&self) -> usize {
+        self.of.capacity() * size_of::<Symmetric>()
     }
 
     fn merged(&mut self, surface: &Surface, ring: &Ring, merge: &Merge) {

@@ -1,10 +1,12 @@
 //! Edge collapse: what [`simplify`](crate::simplify()) is made of.
 //!
 //! ```text
-//! weld → build → run (cost, queue, ring, merge, wedges) → snapshot → refit → deviation → mesh
+//! weld → build → run (cost, queue, ring, merge, wedges) → snapshot → refit → mend → deviation → mesh
 //! ```
 
 mod accumulated;
+mod against;
+mod boxes;
 mod build;
 mod cells;
 mod cost;
@@ -13,8 +15,10 @@ mod levels;
 mod locate;
 mod melax;
 mod memoryless;
+mod mend;
 mod merge;
 mod original;
+mod polygon;
 mod quadric;
 mod queue;
 mod refit;

@@ -1,6 +1,6 @@
 //! The mesh as it came, in the units that the run works in.
 
-use crate::collapse::surface::NONE;
+use crate::collapse::surface::{NONE, Surface};
 use crate::collapse::weld::Welded;
 use common::math::DVec3;
 use common::mesh::Mesh;
@@ -9,19 +9,20 @@ use common::mesh::Mesh;
 pub(super) struct Original<'a> {
     mesh: &'a Mesh,
     welded: &'a Welded,
-    scale: f64,
+    /// Its surface before anything was done to it.
+    pub surface: &'a Surface,
 }
 
 impl<'a> Original<'a> {
-    /// `scale` as in [`Surface`](crate::collapse::surface::Surface).
-    pub(super) fn new(mesh: &'a Mesh, welded: &'a Welded, scale: f64) -> Self {
-        Self { mesh, welded, scale }
+    /// Of a mesh, welded, and its surface.
+    pub(super) fn new(mesh: &'a Mesh, welded: &'a Welded, surface: &'a Surface) -> Self {
+        Self { mesh, welded, surface }
     }
 
     /// Where a point is.
     #[inline(always)]
     pub(super) fn at(&self, point: u32) -> DVec3 {
-        self.welded.places[point as usize].as_dvec3() * self.scale
+        self.welded.places[point as usize].as_dvec3() * self.surface.scale
     }
 
     /// The points of the triangles.

@@ -89,6 +89,14 @@ impl Queue {
         self.entries.get(self.out + further).copied()
     }
 
+    /// Bytes that are held.
+    #[cfg(test)]
+    pub(super) fn bytes(&self) -> usize {
+        let entries: usize = self.drawers.iter().map(Vec::capacity).sum();
+        let rows = self.drawers.capacity() * size_of::<Vec<u32>>();
+        (entries + self.entries.capacity()) * size_of::<u32>() + rows + self.queued.capacity()
+    }
+
     fn open_next(&mut self) -> Option<()> {
         self.out = 0;
         self.entries.clear();

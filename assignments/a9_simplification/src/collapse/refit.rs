@@ -27,6 +27,9 @@ const LEAST_COSINE: f64 = 0.5;
 /// Least share of its area that a face keeps in one move.
 const LEAST_AREA: f64 = 0.1;
 
+/// How far from the original a point may be moved, in terms of the root mean square of the samples.
+const ASTRAY: f64 = 3.0;
+
 /// What pulls at a point.
 #[derive(Clone, Copy, Default)]
 struct Pull {
@@ -57,13 +60,12 @@ impl<'a> Refit<'a> {
         let mut looks = vec![DVec3::ZERO; surface.faces.len()];
         let (mut sum, mut weight) = (0.0, 0.0);
         for corners in original.triangles().step_by(stride) {
-            let start = if Original::is_proper(corners) { becomes[corners[0] as usize] } else { NONE };
-            if start == NONE {
+            let (centre, normal) = original.middle(corners);
+            let found = Original::is_proper(corners).then(|| land(surface, becomes, corners, centre, normal));
+            let Some((square, landing)) = found.flatten() else {
                 landings.push(Landing::NOWHERE);
                 continue;
-            }
-            let (centre, normal) = original.middle(corners);
-            let (square, landing) = locate(surface, start, centre);
+            };
             let area = normal.length();
             (sum, weight) = (sum + area * square, weight + area);
             looks[landing.face as usize] += normal;
@@ -72,14 +74,15 @@ impl<'a> Refit<'a> {
         Self { original, stride, landings, looks, mean_square: sum / weight }
     }
 
-    /// Moves the points of the surface, except those that are fixed or on the boundary.
-    pub(super) fn apply(&self, surface: &mut Surface, fixed: &[bool]) {
+    /// Moves the points of the surface, except those that are fixed or on the boundary. If `near` tells
+    /// for each a point of the original that is close, none goes astray.
+    pub(super) fn apply(&self, surface: &mut Surface, fixed: &[bool], near: Option<&[u32]>) {
         // Also not if it is not a number, because there are no samples.
         if self.mean_square > 0.0 {
             let areas: Vec<f64> = (0..surface.faces.len()).map(|i| surface.normal(i).length()).collect();
             for _ in 0..STEPS {
                 let pulls = self.pulls(surface);
-                self.move_points(surface, fixed, &pulls, &areas);
+                self.move_points(surface, (fixed, near), &pulls, &areas);
             }
         }
     }
@@ -109,7 +112,13 @@ impl<'a> Refit<'a> {
         pulls
     }
 
-    fn move_points(&self, surface: &mut Surface, fixed: &[bool], pulls: &[Pull], areas: &[f64]) {
+    fn move_points(
+        &self,
+        surface: &mut Surface,
+        (fixed, near): (&[bool], Option<&[u32]>),
+        pulls: &[Pull],
+        areas: &[f64],
+    ) {
         for point in 0..surface.points.len() as u32 {
             if fixed[point as usize] || surface.on_boundary(point) {
                 continue;
@@ -121,12 +130,21 @@ impl<'a> Refit<'a> {
             let from = surface.at(point);
             for share in [1.0, 0.5] {
                 let place = surface.round(from + step * share);
-                if self.may_move(surface, point, place.as_dvec3() * surface.scale) {
+                let to = place.as_dvec3() * surface.scale;
+                let strays = || near.is_some_and(|near| self.strays(near[point as usize], from, to));
+                if self.may_move(surface, point, to) && !strays() {
                     surface.points[point as usize].at = place;
                     break;
                 }
             }
         }
+    }
+
+    /// Whether a point would move away from the original, farther than most samples are.
+    fn strays(&self, near: u32, from: DVec3, to: DVec3) -> bool {
+        let square = |p: DVec3| locate(self.original.surface, near, p).0;
+        let after = square(to);
+        after > ASTRAY * ASTRAY * self.mean_square && after > square(from)
     }
 
     /// Whether the faces around go on looking where they look and where the original does.
@@ -142,6 +160,37 @@ impl<'a> Refit<'a> {
                 && (turns_less(after, look) || brings_nearer(before, after, look))
         })
     }
+}
+
+/// Where the middle of a triangle of the original lands, and how far away. Around one of its corners the
+/// nearest may be on another side of a sharp edge: if the face there looks elsewhere, the other corners are
+/// asked, too, and what looks against the triangle is none of its business.
+fn land(
+    surface: &Surface,
+    becomes: &[u32],
+    corners: [u32; 3],
+    centre: DVec3,
+    normal: DVec3,
+) -> Option<(f64, Landing)> {
+    let mut best = (f64::INFINITY, Landing::NOWHERE);
+    for corner in corners {
+        let start = becomes[corner as usize];
+        if start == NONE {
+            return None;
+        }
+        let found = locate(surface, start, centre);
+        if found.0 < best.0 {
+            best = found;
+        }
+        let look = surface.normal(best.1.face as usize);
+        if turns_less(look, normal) {
+            return Some(best);
+        }
+    }
+    let looks_along = surface.normal(best.1.face as usize).dot(normal) > 0.0;
+    let apart = best.1.apart(surface, centre).0;
+    let beside = apart.dot(normal).powi(2) < 0.25 * apart.length_squared() * normal.length_squared();
+    (looks_along || (!best.1.is_inside() && beside)).then_some(best)
 }
 
 /// Whether the angle between two vectors has at least the least cosine; also if one is zero.

@@ -133,7 +133,7 @@ impl Ring {
 
 /// Neither a sliver nor worse than it was; squared normals and sums of squared sides.
 #[inline(always)]
-fn is_no_worse(after: f64, size: f64, before: f64, old_size: f64) -> bool {
+pub(super) fn is_no_worse(after: f64, size: f64, before: f64, old_size: f64) -> bool {
     // 4√3·area/Σ side² where the area is half of the normal.
     const LEAST: f64 = LEAST_QUALITY * LEAST_QUALITY / 12.0;
     let square = size * size;

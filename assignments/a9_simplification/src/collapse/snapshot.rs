@@ -15,8 +15,8 @@ pub(super) struct Snapshot {
     pub fixed: Vec<bool>,
     /// For every point the first of those that are copies of the same.
     first: Vec<u32>,
-    /// For every half-edge its number in the run.
-    faces: Vec<u32>,
+    /// For every face its number in the run, and in the original.
+    pub faces: Vec<u32>,
 }
 
 impl Snapshot {

@@ -43,8 +43,10 @@ fn is_flipped(original: &Surface, simplified: &Surface, triangle: usize) -> Opti
     let against = |t: u32| normal.dot(original.normals[t as usize]) < 0.0;
     let nearest = original.tree.nearest(centroid, None)?;
     // Most faces agree with the first that is found; the others are asked only about the rest.
+    // Distances are no better than coordinates.
+    let reach = nearest.distance() + 8.0 * f64::EPSILON * centroid.abs().max_element();
     let flipped =
-        against(nearest.triangle) && !original.tree.any_within(centroid, nearest.squared, |t| !against(t));
+        against(nearest.triangle) && !original.tree.any_within(centroid, reach * reach, |t| !against(t));
     // The square over a triangle is about as wide as the triangle; a few times its distance away
     // from the original it must look further.
     let reach = simplified.area_of(triangle).max(9.0 * nearest.squared);

@@ -49,7 +49,7 @@ pub fn run(args: &SimplifyArgs) -> Result<(), AppError> {
 /// A mesh that was simplified by somebody else.
 fn unchanged(mesh: Mesh) -> Simplified {
     let irregular = Irregular::default();
-    Simplified { mesh, stopped: Stopped::Reached, error: None, becomes: Vec::new(), irregular }
+    Simplified { mesh, stopped: Stopped::Reached, error: None, against: 0, becomes: Vec::new(), irregular }
 }
 
 /// Refuses what cannot be done, and tasks that leave nothing behind.

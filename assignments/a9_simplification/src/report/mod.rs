@@ -47,6 +47,8 @@ pub struct Level {
     /// The bound of the Hausdorff distance that the simplifier vouches for, in the mesh's own unit;
     /// NaN if none was asked for.
     pub bound: f64,
+    /// Triangles that look against the original, for whose corners there was no better place.
+    pub against: usize,
     /// What was found in the original that is no part of a surface.
     pub irregular: Irregular,
     /// What was measured.
@@ -88,7 +90,11 @@ impl Report {
     /// What one might not expect: goals that were not reached, a mesh that is no surface.
     pub fn warnings(&self) -> Vec<String> {
         let irregular = self.levels.first().and_then(|level| text::irregular(&level.irregular));
-        self.levels.iter().filter_map(Level::warning).chain(irregular).collect()
+        let against = self.levels.iter().filter(|level| level.against > 0).map(|level| {
+            let (faces, against) = (level.faces, level.against);
+            format!("of {faces} triangles {against} look against the original: ask for more triangles")
+        });
+        self.levels.iter().filter_map(Level::warning).chain(against).chain(irregular).collect()
     }
 
     /// A line for each level that was measured: how far it is from the original.
@@ -110,6 +116,7 @@ impl Level {
             faces: result.mesh.triangles.len(),
             stopped: result.stopped,
             bound: result.error.unwrap_or(f64::NAN),
+            against: result.against,
             irregular: result.irregular,
             comparison: None,
             notes: Vec::new(),

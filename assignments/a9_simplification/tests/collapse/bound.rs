@@ -1,6 +1,6 @@
 //! The reported error bounds what can be measured, and goals by error are kept.
 
-use crate::shapes::{METHODS, generated, mesh, one};
+use crate::shapes::{METHODS, cube, generated, mesh, one};
 use a9_simplification::{Goal, Method, Simplified};
 use common::math::{Bounds, DVec3, Vec3};
 use common::mesh::Mesh;
@@ -59,6 +59,23 @@ fn the_bound_is_close() {
     let original = generated("sphere4000");
     let Simplified { mesh, error, .. } = one(&original, Goal::Ratio(0.2), Method::Memoryless);
     assert!(error.unwrap() < 1.3 * sampled(&mesh, &original, 3).max(sampled(&original, &mesh, 2)));
+}
+
+#[test]
+fn the_bound_is_close_where_few_large_faces_meet_at_sharp_edges() {
+    let mut part = cube(24);
+    // Twisted and bulging, but for the underside.
+    for p in &mut part.positions {
+        let (s, c) = (0.2 * (p.y + 0.5)).sin_cos();
+        let wide = 1.0 + 0.3 * (p.y + 0.5) * (0.5 - p.y);
+        *p = Vec3::new((c * p.x - s * p.z) * wide, p.y, (s * p.x + c * p.z) * wide);
+    }
+    for method in METHODS {
+        let Simplified { mesh, error, .. } = one(&part, Goal::Ratio(0.01), method);
+        let found = sampled(&mesh, &part, 8).max(sampled(&part, &mesh, 1));
+        let error = error.unwrap();
+        assert!(error >= found * (1.0 - 1e-9) && error < 1.3 * found, "{method:?}: {error} for {found}");
+    }
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod attributes;
 mod bound;
 mod exact;
+mod flips;
 mod irregular;
 mod shapes;
 mod topology;

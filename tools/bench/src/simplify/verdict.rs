@@ -42,8 +42,8 @@ pub fn judge(
 }
 
 fn of_shape(comparison: &Comparison) -> Option<String> {
-    let turned = comparison.flips.turned;
-    (turned > 0).then(|| format!("{turned} faces turned over"))
+    let against = comparison.flips.faces;
+    (against > 0).then(|| format!("{against} faces against the original"))
 }
 
 fn of_goal(outcome: &Outcome, mesh: &Mesh, ratio: f64) -> Option<String> {
@@ -81,7 +81,8 @@ mod tests {
             mesh.triangles[0].swap(0, 1);
             Ok(Outcome { mesh, stuck: false, bound: Some(1e-9) })
         });
-        for fault in ["Euler", "boundary loops", "turned over", "600 faces are more than 344", "vouches for"]
+        for fault in
+            ["Euler", "boundary loops", "against the original", "600 faces are more than 344", "vouches for"]
         {
             assert!(torn.iter().any(|f| f.contains(fault)), "{fault}: {torn:?}");
         }

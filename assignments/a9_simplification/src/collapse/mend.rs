@@ -1,0 +1,167 @@
+//! Faces that look against the original are put right.
+//!
+//! No step turns a face over. But many small turns add up, and a face drifts over ground that looks
+//! elsewhere than the triangle it was once: on rough ground a few in a thousand end with a normal
+//! that points against the original's where that is nearest to their middle. Here each of those has one
+//! of its corners moved, by as little as will do.
+
+use crate::collapse::against::Witness;
+use crate::collapse::locate::nearest;
+use crate::collapse::ring::is_no_worse;
+use crate::collapse::surface::{Surface, next, previous};
+use common::math::{DVec3, Vec3};
+
+/// How far a corner is moved, in lengths of an edge: the first that helps is taken.
+const STEPS: [f64; 9] = [0.03, 0.05, 0.08, 0.11, 0.16, 0.23, 0.34, 0.5, 0.75];
+/// In how many directions, as points of a lattice on a side, and how often what still looks against the
+/// original is tried again.
+const FINENESS: [i32; 3] = [3, 4, FINEST];
+const FINEST: i32 = 7;
+/// How many samples of the original tell which of several moves is best.
+const MOST_SAMPLES: usize = 60;
+
+/// Moves points so that faces look along the original.
+pub(super) struct Mender<'a> {
+    pub witness: &'a Witness<'a>,
+    /// Points that may not be moved.
+    pub fixed: &'a [bool],
+    /// For every point one of the original's that should be close.
+    pub near: &'a [u32],
+}
+
+/// A better place for a point.
+#[derive(Clone, Copy)]
+struct Move {
+    point: u32,
+    place: Vec3,
+    to: DVec3,
+}
+
+impl Mender<'_> {
+    /// Moves corners of some faces until none of them looks against the original, and no other that
+    /// does not do so already; tells how many still do.
+    pub(super) fn mend(&self, surface: &mut Surface, mut faces: Vec<u32>) -> usize {
+        for fineness in FINENESS {
+            faces.retain(|&face| {
+                if self.agrees(surface, face) {
+                    return false;
+                }
+                let best = self.best_move(surface, face, fineness);
+                if let Some(best) = best {
+                    surface.points[best.point as usize].at = best.place;
+                }
+                best.is_none()
+            });
+        }
+        faces.len()
+    }
+
+    fn agrees(&self, surface: &Surface, face: u32) -> bool {
+        let [a, b, c] = surface.faces[face as usize].corners();
+        self.witness.agrees(self.near[a as usize], [surface.at(a), surface.at(b), surface.at(c)])
+    }
+
+    /// Of the least moves that help the one that is best for what is around.
+    fn best_move(&self, surface: &Surface, face: u32, fineness: i32) -> Option<Move> {
+        let corners = surface.faces[face as usize].corners();
+        let may_move = |point: &&u32| !self.fixed[**point as usize];
+        let moves = |&step: &f64| -> Vec<Move> {
+            let points = corners.iter().filter(may_move);
+            points.flat_map(|&point| self.moves(surface, face, point, (step, fineness))).collect()
+        };
+        let found = STEPS.iter().map(moves).find(|moves| !moves.is_empty())?;
+        if let [only] = found[..] {
+            return Some(only);
+        }
+        let samples = self.samples(surface, corners);
+        let judged = found.into_iter().map(|to| (worse(&samples, surface, &to), to));
+        judged.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, best)| best)
+    }
+
+    /// Places for a corner at which the face looks along the original and no other ceases to: all
+    /// around it, but on the boundary only along that unless nothing else has helped.
+    fn moves(&self, surface: &Surface, face: u32, point: u32, (step, fineness): (f64, i32)) -> Vec<Move> {
+        let from = surface.at(point);
+        let ways: Vec<DVec3> = if surface.on_boundary(point) && fineness < FINEST {
+            let first = surface.points[point as usize].out;
+            let last = surface.fan(point).last().map_or(first, previous);
+            [surface.end(first), surface.start(last)].map(|p| surface.at(p) - from).to_vec()
+        } else {
+            let lengths = surface.fan(point).map(|h| surface.at(surface.end(h)).distance(from));
+            let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), length| (sum + length, count + 1.0));
+            ways_from_middle(fineness).map(|way| way * (sum / count)).collect()
+        };
+        let moved = |way: DVec3| {
+            let place = surface.round(from + way * step);
+            Move { point, place, to: place.as_dvec3() * surface.scale }
+        };
+        ways.into_iter().map(moved).filter(|to| self.helps(surface, face, to)).collect()
+    }
+
+    /// Whether the face looks along the original after a move, and no other ceases to.
+    fn helps(&self, surface: &Surface, face: u32, &Move { point, to, .. }: &Move) -> bool {
+        let from = surface.at(point);
+        let keeps = |h: u32| {
+            let [p, q] = sides(surface, h);
+            let turns = (p - from).cross(q - from).dot((p - to).cross(q - to)) <= 0.0;
+            (h >> 2 == face || !turns) && keeps_shape(from, to, [p, q])
+        };
+        let agrees = |h: u32, corner: DVec3| {
+            let [p, q] = sides(surface, h);
+            self.witness.agrees(self.near[point as usize], [corner, p, q])
+        };
+        // What looks against the original already may do so a while longer.
+        let others = |h: u32| h >> 2 == face || agrees(h, to) || !agrees(h, from);
+        surface.fan(point).all(keeps)
+            && surface.fan(point).filter(|h| h >> 2 == face).all(|h| agrees(h, to))
+            && surface.fan(point).all(others)
+    }
+
+    /// Middles of some of the original's faces around a face.
+    fn samples(&self, surface: &Surface, corners: [u32; 3]) -> Vec<DVec3> {
+        let around =
+            corners.into_iter().flat_map(|corner| surface.fan(corner)).map(|h| surface.at(surface.end(h)));
+        let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (low, high) = around.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
+        let samples = self.witness.middles_within(low, high);
+        let stride = samples.len().div_ceil(MOST_SAMPLES).max(1);
+        samples.into_iter().step_by(stride).collect()
+    }
+}
+
+/// Directions from the middle of a cube to the points of a lattice, `n` on a side; also no direction.
+fn ways_from_middle(n: i32) -> impl Iterator<Item = DVec3> {
+    let middle = f64::from(n - 1) / 2.0;
+    let point = move |i: i32| DVec3::new(f64::from(i % n), f64::from(i / n % n), f64::from(i / n / n));
+    (0..n * n * n).map(move |i| (point(i) - middle).normalize_or_zero())
+}
+
+/// The other two corners of the face of a half-edge.
+fn sides(surface: &Surface, h: u32) -> [DVec3; 2] {
+    [next(h), previous(h)].map(|h| surface.at(surface.start(h)))
+}
+
+/// By how much the sum of the squares of the samples' distances grows when a point is moved.
+/// What is far from all faces there does not count, as it is nearest to the rim, which stays.
+fn worse(samples: &[DVec3], surface: &Surface, &Move { point, to, .. }: &Move) -> f64 {
+    let square = |sample: DVec3, corner: DVec3| {
+        let squares = surface.fan(point).map(|h| {
+            let [p, q] = sides(surface, h);
+            let [u, v, w] = nearest(sample, corner, p, q);
+            (corner * u + p * v + q * w).distance_squared(sample)
+        });
+        squares.fold(f64::INFINITY, f64::min)
+    };
+    let from = surface.at(point);
+    samples.iter().map(|&sample| square(sample, to) - square(sample, from)).sum()
+}
+
+/// Whether a face is not made a sliver when one of its corners moves; the others are p and q.
+fn keeps_shape(from: DVec3, to: DVec3, [p, q]: [DVec3; 2]) -> bool {
+    let measure = |corner: DVec3| {
+        let (u, w) = (p - corner, q - corner);
+        (u.cross(w).length_squared(), (q - p).length_squared() + u.length_squared() + w.length_squared())
+    };
+    let ((after, size), (before, old_size)) = (measure(to), measure(from));
+    is_no_worse(after, size, before, old_size)
+}
