@@ -49,7 +49,8 @@ fn bash(scratch: &Scratch, script: &str, task: Option<u32>) {
 
 fn scratch() -> Scratch {
     let scratch = Scratch::new(&[]);
-    std::os::unix::fs::symlink(workspace_file("scenes").canonicalize().unwrap(), scratch.file("scenes")).unwrap();
+    std::os::unix::fs::symlink(workspace_file("scenes").canonicalize().unwrap(), scratch.file("scenes"))
+        .unwrap();
     scratch
 }
 
