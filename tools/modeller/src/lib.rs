@@ -1,4 +1,4 @@
-//! The modeller: makes the meshes of `scenes/meshes` from formulas.
+//! The modeller: makes the meshes of `scenes/meshes`, and a sky, from formulas.
 //!
 //! Everything is computed in `f64` with `+ - * /`, `sqrt` and comparisons only. IEEE 754 fixes the
 //! result of each of these to the last bit, so the files come out the same on every machine; `sin`,
@@ -21,5 +21,6 @@ pub mod quadric;
 pub mod rabbit;
 pub mod reduce;
 pub mod relax;
+pub mod sky;
 pub mod triangulate;
 pub mod vase;

@@ -1,16 +1,16 @@
-//! Writes the meshes of `scenes/meshes`, or checks that the files there are what it would write.
+//! Writes the meshes and the sky of `scenes/meshes`, or checks that the files there are what it would write.
 
-use modeller::catalogue::{self, Model};
+use modeller::{catalogue, sky};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 const HELP: &str = "\
-Makes the meshes of scenes/meshes from formulas.
+Makes the meshes and the sky of scenes/meshes from formulas.
 
 Usage: modeller [--check] [FOLDER]
 
-  FOLDER    where the meshes are (default: scenes/meshes of this workspace)
+  FOLDER    where they are (default: scenes/meshes of this workspace)
   --check   write nothing; exit with 1 unless every file is exactly what would be written
   --help    this text
 
@@ -52,30 +52,30 @@ fn run(options: &Options) -> ExitCode {
         return fail(1, &fault);
     }
     let step = if options.check { compare } else { write };
-    for model in &models {
-        if let Err((code, message)) = step(model, &options.folder.join(model.name)) {
+    let meshes = models.iter().map(|m| (m.name, m.text().into_bytes()));
+    for (name, bytes) in meshes.chain([(sky::NAME, sky::bytes())]) {
+        if let Err((code, message)) = step(&options.folder.join(name), &bytes) {
             return fail(code, &message);
         }
     }
     ExitCode::SUCCESS
 }
 
-fn compare(model: &Model, path: &Path) -> Result<(), (u8, String)> {
-    match fs::read_to_string(path) {
-        Ok(text) if text == model.text() => Ok(()),
+fn compare(path: &Path, bytes: &[u8]) -> Result<(), (u8, String)> {
+    match fs::read(path) {
+        Ok(there) if there == bytes => Ok(()),
         Ok(_) => Err((1, format!("{} differs from what the modeller makes", path.display()))),
         Err(error) => Err((1, format!("{}: {error}", path.display()))),
     }
 }
 
 /// Writes under a temporary name and renames, so that a failure leaves the old file whole.
-fn write(model: &Model, path: &Path) -> Result<(), (u8, String)> {
-    let temporary = path.with_extension("obj.part");
-    let text = model.text();
-    fs::write(&temporary, &text)
+fn write(path: &Path, bytes: &[u8]) -> Result<(), (u8, String)> {
+    let temporary = path.with_extension("part");
+    fs::write(&temporary, bytes)
         .and_then(|()| fs::rename(&temporary, path))
         .map_err(|error| (2, format!("{}: {error}", path.display())))?;
-    println!("{:14} {:6} triangles {:8} bytes", model.name, model.triangles, text.len());
+    println!("{:14} {:8} bytes", path.file_name().unwrap_or_default().display(), bytes.len());
     Ok(())
 }
 

@@ -2,6 +2,7 @@
 //! scenes name no others.
 
 use modeller::catalogue::{self, Model};
+use modeller::sky;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -56,6 +57,10 @@ fn files_on_disk_are_what_the_modeller_makes() {
             path.display()
         );
     }
+    assert!(
+        fs::read(scenes().join("meshes").join(sky::NAME)).unwrap() == sky::bytes(),
+        "the sky is out of date"
+    );
 }
 
 /// The four rabbits are one animal: reducing it costs little of its volume, less the finer the
@@ -123,6 +128,7 @@ fn what_is_written_passes_the_check_until_it_is_changed() {
     for model in models() {
         assert!(fs::read_to_string(folder.join(model.name)).unwrap() == model.text(), "{}", model.name);
     }
+    assert!(fs::read(folder.join(sky::NAME)).unwrap() == sky::bytes());
     let last = folder.join("bunny_200.obj");
     fs::write(&last, fs::read_to_string(&last).unwrap().replacen("f 1", "f 2", 1)).unwrap();
     let (code, err) = run(&["--check"]);

@@ -92,7 +92,7 @@ fn bin(into: Vec3) -> usize {
 #[test]
 fn p13_samples_of_surfaces_follow_their_densities() {
     let mut family = Family::default();
-    let mut draw = Draw::new(0xa8_13);
+    let mut draw = Draw::new(0xa813);
     for (name, material) in materials() {
         let bsdf = Bsdf::new(&material);
         let parts = [material.diffuse.x, material.specular.x, material.reflective.x, material.transparent.x];
@@ -138,7 +138,7 @@ fn above(draw: &mut Draw) -> Vec3 {
 
 #[test]
 fn p13_weights_are_values_over_densities() {
-    let mut draw = Draw::new(0xa8_14);
+    let mut draw = Draw::new(0xa814);
     for (name, material) in materials() {
         let bsdf = Bsdf::new(&material);
         for _ in 0..2000 {
@@ -158,7 +158,7 @@ fn p13_weights_are_values_over_densities() {
 
 #[test]
 fn p13_directions_can_be_exchanged() {
-    let mut draw = Draw::new(0xa8_15);
+    let mut draw = Draw::new(0xa815);
     let normal = frame()[2];
     let mut worst = 0.0f32;
     for (name, material) in materials() {
@@ -178,7 +178,7 @@ fn p13_directions_can_be_exchanged() {
 
 #[test]
 fn p13_glass_lets_as_much_in_as_out() {
-    let mut draw = Draw::new(0xa8_16);
+    let mut draw = Draw::new(0xa816);
     let normal = frame()[2].as_dvec3().normalize();
     for _ in 0..20_000 {
         let index = draw.between(1.01, 3.0);

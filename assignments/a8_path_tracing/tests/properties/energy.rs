@@ -43,6 +43,24 @@ fn p13_white_things_in_a_white_world_cannot_be_seen() {
     }
 }
 
+/// The same light as a picture of the sky, which is asked for: weights must come out even.
+#[test]
+fn p13_white_things_in_a_white_sky_are_white_in_the_mean() {
+    let sky: Vec<u8> = b"PF\n8 4\n-1.0\n".iter().copied().chain([1f32.to_le_bytes(); 96].concat()).collect();
+    for material in ["diffuseColor 1 1 1", "diffuseColor 0.5 0.5 0.5 reflectiveColor 0.5 0.5 0.5"] {
+        for integrator in ["nee", "mis"] {
+            let text = scene(CAMERA, "0 0 0 environment sky.pfm", &[], &[material], BALLS);
+            let flags = format!("-size 16 16 -spp 2048 -integrator {integrator}");
+            let film = Stage::new(&text, &[("sky.pfm", &sky)], &flags).film(6);
+            let values: Vec<f64> = film.pixels().iter().map(|p| f64::from(p.element_sum()) / 3.0).collect();
+            let (mean, error) = mean_and_error(&values);
+            println!("{material}, {integrator}: {mean:.6} ± {error:.6}");
+            assert!(error <= 0.001, "{material} {integrator}: ± {error}");
+            assert!((mean - 1.0).abs() <= 3.0 * error, "{material} {integrator}: {mean} ± {error}");
+        }
+    }
+}
+
 #[test]
 fn p13_glossy_things_in_a_white_world_are_not_brighter_than_it() {
     for material in [

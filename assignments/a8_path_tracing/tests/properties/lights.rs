@@ -141,7 +141,7 @@ const PLACES: [(DVec3, Vec3); 3] = [
 #[test]
 fn p13_offers_of_lights_follow_their_densities() {
     let mut family = Family::default();
-    let mut draw = Draw::new(0xa8_17);
+    let mut draw = Draw::new(0xa817);
     for lamp in LAMPS {
         let stage = lamp.stage();
         let list = List::new(&stage.studio.geometry);
@@ -186,7 +186,7 @@ fn p13_offers_of_lights_follow_their_densities() {
 
 #[test]
 fn p13_paths_are_weighed_by_the_density_of_the_offer() {
-    let mut draw = Draw::new(0xa8_18);
+    let mut draw = Draw::new(0xa818);
     let mut seen = 0;
     for lamp in LAMPS {
         let stage = lamp.stage();
@@ -222,7 +222,7 @@ fn cluster(draw: &mut Draw) -> Cluster {
 #[test]
 fn p13_trees_choose_lights_as_often_as_they_say() {
     let mut family = Family::default();
-    let mut draw = Draw::new(0xa8_19);
+    let mut draw = Draw::new(0xa819);
     for count in [1u32, 2, 3, 17, 100, 1000] {
         let leaves = (0..count).map(|light| Leaf { light, cluster: cluster(&mut draw) }).collect();
         let tree = LightTree::new(leaves, count as usize);
@@ -283,7 +283,7 @@ fn p13_offers_of_the_sky_follow_their_density() {
     let sum: f64 = due.iter().sum();
     assert!((sum - 1.0).abs() < 1e-6, "{sum}");
     let mut counts = vec![0u64; columns * rows];
-    let mut draw = Draw::new(0xa8_1a);
+    let mut draw = Draw::new(0xa81a);
     for _ in 0..5 * SAMPLES {
         let (direction, radiance, pdf) = sky.sample([draw.unit(), draw.unit()]).expect("it is not black");
         let (seen, density) = sky.look(direction);
