@@ -22,7 +22,7 @@ const FINE: usize = 24;
 
 /// The same for ellipsoids, which are asked at points spread evenly over them: the density is
 /// infinite at their rim, where the surface is seen edge-on.
-const VERY_FINE: usize = 96;
+const VERY_FINE: usize = 72;
 
 const CAMERA: &str = "OrthographicCamera { center 0 0 9  direction 0 0 -1  up 0 1 0  size 1 }";
 const LAMP: &str = "diffuseColor 0 0 0  emissiveColor 2 3 1";
