@@ -194,7 +194,7 @@ fn p13_glass_lets_as_much_in_as_out() {
 
 /// Share of light from an angle that the highlight sends on, by a grid of its own half vectors.
 fn highlight(exponent: f32, degrees: f64) -> f64 {
-    const SIDE: usize = 300;
+    const SIDE: usize = 200;
     let glossy = Glossy::new(Vec3::ONE, exponent);
     let [_, _, normal] = frame();
     let out = direction(frame(), degrees.to_radians(), 0.0);

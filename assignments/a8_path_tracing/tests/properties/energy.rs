@@ -47,17 +47,18 @@ fn p13_white_things_in_a_white_world_cannot_be_seen() {
 #[test]
 fn p13_white_things_in_a_white_sky_are_white_in_the_mean() {
     let sky: Vec<u8> = b"PF\n8 4\n-1.0\n".iter().copied().chain([1f32.to_le_bytes(); 96].concat()).collect();
-    for material in ["diffuseColor 1 1 1", "diffuseColor 0.5 0.5 0.5 reflectiveColor 0.5 0.5 0.5"] {
-        for integrator in ["nee", "mis"] {
-            let text = scene(CAMERA, "0 0 0 environment sky.pfm", &[], &[material], BALLS);
-            let flags = format!("-size 16 16 -spp 2048 -integrator {integrator}");
-            let film = Stage::new(&text, &[("sky.pfm", &sky)], &flags).film(6);
-            let values: Vec<f64> = film.pixels().iter().map(|p| f64::from(p.element_sum()) / 3.0).collect();
-            let (mean, error) = mean_and_error(&values);
-            println!("{material}, {integrator}: {mean:.6} ± {error:.6}");
-            assert!(error <= 0.001, "{material} {integrator}: ± {error}");
-            assert!((mean - 1.0).abs() <= 3.0 * error, "{material} {integrator}: {mean} ± {error}");
-        }
+    let half = "diffuseColor 0.5 0.5 0.5 reflectiveColor 0.5 0.5 0.5";
+    for (material, integrator, samples) in
+        [("diffuseColor 1 1 1", "nee", 2048), ("diffuseColor 1 1 1", "mis", 512), (half, "mis", 512)]
+    {
+        let text = scene(CAMERA, "0 0 0 environment sky.pfm", &[], &[material], BALLS);
+        let flags = format!("-size 16 16 -spp {samples} -integrator {integrator}");
+        let film = Stage::new(&text, &[("sky.pfm", &sky)], &flags).film(6);
+        let values: Vec<f64> = film.pixels().iter().map(|p| f64::from(p.element_sum()) / 3.0).collect();
+        let (mean, error) = mean_and_error(&values);
+        println!("{material}, {integrator}: {mean:.6} ± {error:.6}");
+        assert!(error <= 0.001, "{material} {integrator}: ± {error}");
+        assert!((mean - 1.0).abs() <= 3.0 * error, "{material} {integrator}: {mean} ± {error}");
     }
 }
 
@@ -92,7 +93,7 @@ fn shell(emission: f64, albedo: f64, samples: u32, flags: &str) -> Stage {
 fn p13_a_closed_shell_has_the_radiance_of_the_geometric_series() {
     for (emission, albedo) in [(0.25, 0.75), (0.6, 0.4)] {
         for integrator in ["naive", "nee", "mis"] {
-            for depth in [0, 1, 3, 20] {
+            for depth in [0, 3, 20] {
                 let stage =
                     shell(emission, albedo, 256, &format!("-integrator {integrator} -rr_depth {depth}"));
                 let mean = stage.mean(1).x;

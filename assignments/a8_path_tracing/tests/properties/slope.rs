@@ -42,7 +42,7 @@ fn slope(sampler: &str, truth: &Film) -> f64 {
 
 #[test]
 fn p14_errors_fall_with_the_root_of_the_samples_or_faster() {
-    let truth = stage("-spp 32768").film(99);
+    let truth = stage("-spp 16384").film(99);
     let random = slope("random", &truth);
     println!("random {random:.3}");
     assert!((-0.55..=-0.45).contains(&random), "random: {random}");
