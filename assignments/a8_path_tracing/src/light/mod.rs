@@ -132,7 +132,7 @@ impl<'a> Lights<'a> {
         if u < near || self.far_count() == 0 {
             let at = Receiver { point: point.as_vec3(), normal };
             let (light, probability, u) = self.tree.choose(&at, u / near)?;
-            return self.from_near(light as usize, f64::from(probability) * near, point, [u, v]);
+            return self.near_offer(light as usize, f64::from(probability) * near, point, [u, v]);
         }
         let each = (1.0 - near) / self.far_count() as f64;
         let index = (((u - near) / each) as usize).min(self.far_count() - 1);
@@ -146,7 +146,7 @@ impl<'a> Lights<'a> {
         Some(certain(incident(light, point), each))
     }
 
-    fn from_near(&self, index: usize, chance: f64, point: DVec3, uv: [f64; 2]) -> Option<Offer> {
+    fn near_offer(&self, index: usize, chance: f64, point: DVec3, uv: [f64; 2]) -> Option<Offer> {
         let Some(area) = self.areas.get(index) else {
             let light = self.placed[index - self.areas.len()];
             return Some(certain(from_placed(light, point, uv), chance));

@@ -157,7 +157,10 @@ fn print(name: &str, size: Size, recipes: &[Recipe], shots: &[Vec<Shot>]) {
     for (recipe, shots) in recipes.iter().zip(shots) {
         let of = |value: fn(&Shot) -> f64| Mean::of(&shots.iter().map(value).collect::<Vec<_>>());
         let paths = size.pixels() as f64 * f64::from(recipe.spp);
-        let interval = |mean: Mean| format!("{:.4} ± {:.4}", mean.value, mean.within);
+        let interval = |mean: Mean| match mean.within.is_nan() {
+            true => format!("{:.4}", mean.value),
+            false => format!("{:.4} ± {:.4}", mean.value, mean.within),
+        };
         cli::say(&format!(
             "{:<10} {:<9} {:>5} {:>9.3} {:>10.2} {:>9.5} {:>9.4}   {:<18} {:<18} {:>7.2} % {:>11.2} %",
             format!("{:?}", recipe.rules.integrator),
