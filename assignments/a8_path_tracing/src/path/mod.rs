@@ -1,7 +1,7 @@
 //! A8T4, A8T5: paths from the eye to the lights.
 //!
 //! Paths grow generation by generation, those of many samples together: all their rays are sent
-//! at once, every surface that is met asks a light and chooses a way on ([`surface`]), and all
+//! at once, every surface that is met asks a light and chooses a way on, and all
 //! shadow rays are sent at once. What a path finds does not depend on who is traced beside it.
 
 mod caustic;
