@@ -66,14 +66,11 @@ impl Step for Traced<'_> {
         let outputs = Outputs::new(self.args.cast().output.as_ref(), &self.args.files)?;
         if outputs.any() || args.cast().general.program.stats {
             let lights = Lights::load(&studio.geometry, scene)?;
-            let side = studio.size.width().max(studio.size.height());
-            let numbers = Numbers::new(plan.pattern, plan.spp, side, plan.seed);
+            let numbers = Numbers::new(plan.pattern, plan.spp, studio.size, plan.seed);
             let tracer = PathTracer::new(studio, scene, accel, lights, numbers, self.args.rules());
             self.args.render(&tracer, studio, &plan, &outputs, report)?;
         }
-        let mut side = args.grid.whitted.phong.diffuse.side_pictures();
-        side.extend(args.heat_picture());
-        if side.is_empty() { Ok(()) } else { studio.expose(args.cast(), accel, &side, report) }
+        args.expose_side_pictures(studio, accel, report)
     }
 }
 
@@ -186,7 +183,7 @@ fn tell_of_end(tally: &Tally, sums: &Sums) -> Result<(), AppError> {
 }
 
 /// What `-stats` says of the samples.
-fn notes(tally: &Tally, sums: &Sums) -> [String; 2] {
+fn notes(tally: &Tally, sums: &Sums) -> [String; 3] {
     let rate = tally.paths as f64 / tally.time.as_secs_f64().max(1e-9);
     let (least, most) = (sums.taken().iter().min(), sums.taken().iter().max());
     let all: u64 = sums.taken().iter().map(|n| u64::from(*n)).sum();
@@ -201,6 +198,10 @@ fn notes(tally: &Tally, sums: &Sums) -> [String; 2] {
             most.unwrap_or(&0),
             pixels - sums.active(),
             possible - all
+        ),
+        format!(
+            "skipped: lights not asked for mirrors and glass {}; paths ended by roulette {}",
+            tally.counters.skipped_light_specular, tally.counters.ended_by_roulette
         ),
     ]
 }

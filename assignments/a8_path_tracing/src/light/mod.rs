@@ -100,11 +100,6 @@ impl<'a> Lights<'a> {
         self.tree.is_empty() && self.far.is_empty() && self.environment.is_none()
     }
 
-    /// How many shining surfaces there are, and how many other lights.
-    pub fn count(&self) -> (usize, usize) {
-        (self.areas.len(), self.placed.len() + self.far.len() + usize::from(self.environment.is_some()))
-    }
-
     /// Lights infinitely far away, the environment being one.
     fn far_count(&self) -> usize {
         self.far.len() + usize::from(self.environment.is_some())

@@ -1,8 +1,8 @@
 //! A8T2: the numbers that decide a path's ways.
 //!
 //! A path is a point of a cube of many dimensions: two for the place in the pixel, two for the
-//! lens, and at every surface two for the way on, two for the light that is asked, and one for
-//! roulette. Only those that are used are worked out.
+//! lens, and at every surface two for the way on, two for the light that is asked, two for the one
+//! that is asked over balls, and one for roulette. Only those that are used are worked out.
 
 mod directions;
 mod sobol;
@@ -12,6 +12,7 @@ pub use sobol::DIMENSIONS;
 use a7_sampling::Pattern;
 use a7_sampling::sampler::hash::{hash, mix, units};
 use a7_sampling::sampler::{Pixel, Sampler};
+use common::picture::Size;
 use std::ops::Range;
 
 /// What a pair of coordinates is for.
@@ -46,14 +47,23 @@ impl Use {
 }
 
 /// Where a path's numbers come from.
-pub enum Numbers {
-    /// Sobol's sequence in many dimensions, scrambled for every pixel.
-    Sobol {
-        /// Chooses the scrambling.
-        seed: u64,
-    },
-    /// One of the patterns of assignment 7, pair by pair.
-    Pairs(Box<dyn Sampler>),
+pub struct Numbers {
+    /// Chooses among equally good ones.
+    seed: u64,
+    /// One of the patterns of assignment 7, pair by pair; without one Sobol's sequence in many
+    /// dimensions, scrambled for every pixel.
+    pairs: Option<Box<dyn Sampler>>,
+}
+
+/// What is decided by numbers that are no part of a pattern.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// Which material of a blend.
+    Material,
+    /// Whether a way over a ball is followed.
+    Followed,
+    /// Whether lights are asked over a ball, and which of the ways over it.
+    Ball(u32),
 }
 
 /// The points of a range of samples before they are scrambled, which all pixels share.
@@ -72,38 +82,30 @@ pub struct Stream {
 }
 
 impl Stream {
-    /// Two numbers in [0, 1) of the same kind, for one of many things.
-    pub fn beside(&self, generation: u32, thing: u32) -> [f64; 2] {
-        let which = u64::from(generation) << 32 | u64::from(thing);
-        units(hash(
-            self.key ^ u64::from(self.sample),
-            which,
-            u64::from(self.pixel.0) << 32 | u64::from(self.pixel.1),
-        ))
-    }
-
-    /// A number in [0, 1) for this sample and generation that has nothing to do with others.
-    pub fn by_itself(&self, generation: u32) -> f64 {
-        let pixel = u64::from(self.pixel.0) << 32 | u64::from(self.pixel.1);
-        let which = u64::from(self.sample) << 32 | u64::from(generation);
-        units(hash(self.key.wrapping_add(1), pixel, which))[0]
+    /// Two numbers in [0, 1) for a choice at the surface of this generation, which have nothing to
+    /// do with any others.
+    pub fn beside(&self, generation: u32, choice: Choice) -> [f64; 2] {
+        let choice = match choice {
+            Choice::Material => 0,
+            Choice::Followed => 1,
+            Choice::Ball(ball) => 2 + u64::from(ball),
+        };
+        units(hash(self.key, u64::from(self.sample), u64::from(generation) << 32 | choice))
     }
 }
 
 impl Numbers {
-    /// The numbers of a pattern, for so many samples in each pixel of a picture whose sides have
-    /// at most `side` pixels.
-    pub fn new(pattern: Pattern, samples: u32, side: u32, seed: u64) -> Self {
-        match pattern {
-            Pattern::Sobol => Self::Sobol { seed },
-            _ => Self::Pairs(pattern.sampler(samples, side, seed)),
-        }
+    /// The numbers of a pattern, for so many samples in each pixel of a picture of this size.
+    pub fn new(pattern: Pattern, samples: u32, size: Size, seed: u64) -> Self {
+        let side = size.width().max(size.height());
+        let by_pairs = pattern != Pattern::Sobol;
+        Self { seed, pairs: by_pairs.then(|| pattern.sampler(samples, side, seed)) }
     }
 
     /// Works out the points of a range of samples.
     pub fn prepare(&self, samples: Range<u32>, rows: &mut Rows) {
         rows.rows.clear();
-        if let Self::Sobol { .. } = self {
+        if self.pairs.is_none() {
             rows.rows.extend(samples.map(sobol::point));
         }
     }
@@ -111,18 +113,17 @@ impl Numbers {
     /// The numbers of sample `first + row` of a pixel, `first` being the first of those prepared.
     #[inline]
     pub fn stream(&self, pixel: Pixel, first: u32, row: u32) -> Stream {
-        let key = match self {
-            Self::Sobol { seed } => hash(*seed, u64::from(pixel.0) << 32 | u64::from(pixel.1), 0),
-            Self::Pairs(_) => 0,
-        };
+        let key = hash(self.seed, u64::from(pixel.0) << 32 | u64::from(pixel.1), 0);
         Stream { pixel, key, sample: first + row, row }
     }
 
     /// Two coordinates in [0, 1).
     #[inline]
     pub fn pair(&self, stream: &Stream, rows: &Rows, what: Use) -> [f64; 2] {
-        let Self::Sobol { .. } = self else { return self.other(stream, what) };
         let pair = what.pair();
+        if let Some(pairs) = &self.pairs {
+            return pairs.pair(stream.pixel, stream.sample, pair);
+        }
         let key = mix(stream.key.wrapping_add(u64::from(pair + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)));
         match sobol::dimension(what) {
             Some(dimension) => {
@@ -133,12 +134,25 @@ impl Numbers {
             None => units(mix(key ^ u64::from(stream.sample).wrapping_mul(0xd6e8_feb8_6659_fd93))),
         }
     }
+}
 
-    #[cold]
-    fn other(&self, stream: &Stream, what: Use) -> [f64; 2] {
-        match self {
-            Self::Pairs(sampler) => sampler.pair(stream.pixel, stream.sample, what.pair()),
-            Self::Sobol { .. } => unreachable!("asked for other patterns only"),
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a8t2_every_choice_follows_the_seed_whatever_the_pattern() {
+        let size = Size::new(8, 8).unwrap();
+        for pattern in [Pattern::Sobol, Pattern::Random, Pattern::Halton] {
+            let choices = |seed: u64| {
+                let stream = Numbers::new(pattern, 4, size, seed).stream((3, 5), 0, 1);
+                [Choice::Material, Choice::Followed, Choice::Ball(0), Choice::Ball(1)]
+                    .map(|choice| stream.beside(2, choice)[0])
+            };
+            let (one, other) = (choices(1), choices(2));
+            assert_eq!(one, choices(1));
+            let all: Vec<f64> = one.into_iter().chain(other).collect();
+            assert!(all.iter().enumerate().all(|(i, x)| !all[..i].contains(x)), "{pattern:?} {all:?}");
         }
     }
 }

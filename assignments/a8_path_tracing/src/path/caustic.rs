@@ -8,7 +8,7 @@ use super::{Path, PathTracer, Scratch};
 use crate::Integrator;
 use crate::bsdf::Bsdf;
 use crate::light::{Ball, BallWay, Target};
-use crate::numbers::Use;
+use crate::numbers::{Choice, Use};
 use common::geometry::{Hit, Surface};
 use common::math::{DVec3, Vec3};
 use common::ray::Ray;
@@ -23,10 +23,9 @@ fn chance_to_ask(ball: &Ball, from: DVec3) -> f64 {
 }
 
 /// How far a path is on a way that would have been asked for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Chain {
     /// It is on none.
-    #[default]
     None,
     /// It has left the surface that asked.
     Begun,
@@ -66,12 +65,15 @@ impl PathTracer<'_> {
         same_side: bool,
         generation: u32,
     ) -> Chain {
-        let primitive = place.surface.primitive;
-        let ball = self.balls.iter().position(|b| b.primitive == primitive).map(|i| i as u32);
         if !specular {
             return if self.asks_over_balls(bsdf, generation) { Chain::Begun } else { Chain::None };
         }
-        let Some(ball) = ball else { return Chain::None };
+        if path.chain == Chain::None {
+            return Chain::None;
+        }
+        let primitive = place.surface.primitive;
+        let Some(ball) = self.balls.iter().position(|b| b.primitive == primitive) else { return Chain::None };
+        let ball = ball as u32;
         match path.chain {
             // From inside nobody asks over the ball.
             Chain::Begun if place.inside => Chain::None,
@@ -116,15 +118,16 @@ impl PathTracer<'_> {
             return;
         }
         let (point, through) = (place.surface.point, self.goes_through(generation));
-        let below = |ball: &Ball| {
+        // Some of it is above the horizon.
+        let rises = |ball: &Ball| {
             place.surface.geometric_normal.dot(ball.center() - point).abs() <= ball.radius()
                 || place.geometric.as_dvec3().dot(ball.center() - point) > 0.0
         };
         let (mut total, mut chosen) = (0.0, None);
         for (index, ball) in (0..).zip(&self.balls) {
-            let [asks, takes] = path.stream.beside(generation, index);
+            let [asks, takes] = path.stream.beside(generation, Choice::Ball(index));
             let chance = chance_to_ask(ball, point);
-            if asks >= chance || !below(ball) {
+            if asks >= chance || !rises(ball) {
                 continue;
             }
             let uv = self.numbers.pair(&path.stream, &scratch.rows, Use::Caustic(generation));
@@ -150,7 +153,7 @@ impl PathTracer<'_> {
         let Some((ball, way, target, color)) = chosen else { return };
         // Most ways bring so little that few need be followed.
         let follows = (total / (LITTLE * direct)).min(1.0);
-        if direct == 0.0 || path.stream.beside(generation, u32::MAX)[0] < f64::from(follows) {
+        if direct == 0.0 || path.stream.beside(generation, Choice::Followed)[0] < f64::from(follows) {
             let light = color * if direct == 0.0 { total } else { total / follows };
             self.follow(scratch, place, path.slot, (ball, &way, &target), light);
         }

@@ -168,11 +168,6 @@ impl<'a> PathTracer<'a> {
         Self { studio, world, accel, lights, numbers, aperture, rules, plain, balls }
     }
 
-    /// The lights that are asked for.
-    pub fn lights(&self) -> &Lights<'a> {
-        &self.lights
-    }
-
     /// Traces some samples of some pixels. What is found for a sample depends on pixel, sample and
     /// seed only. `found` holds the samples of the first pixel, then those of the second, ….
     ///

@@ -4,7 +4,7 @@ use super::caustic::Chain;
 use super::{Found, Path, PathTracer, Scratch};
 use crate::Integrator;
 use crate::bsdf::Bsdf;
-use crate::numbers::Use;
+use crate::numbers::{Choice, Use};
 use a1_ray_casting::Mixture;
 use common::counters::Counters;
 use common::geometry::{Departure, Surface};
@@ -98,7 +98,7 @@ impl PathTracer<'_> {
             Mixture::Plain(material) => return Cow::Borrowed(material),
             Mixture::Blend(parts) => parts,
         };
-        let mut u = path.stream.by_itself(generation);
+        let [mut u, _] = path.stream.beside(generation, Choice::Material);
         let last = parts.len() - 1;
         let chosen = parts.iter().position(|part| {
             u -= f64::from(part.weight);

@@ -10,7 +10,7 @@ use a8_path_tracing::{PathArgs, PathTracer, Program};
 use common::counters::Counters;
 use common::math::DVec3;
 use common::mesh::Mesh;
-use common::picture::{Film, Transfer, read};
+use common::picture::Film;
 use common::tiles::TileOptions;
 use std::fmt::Write as _;
 use tests::binary::Scratch;
@@ -77,9 +77,7 @@ impl Stage {
     }
 
     fn lights<'s>(&'s self, world: &'s TexturedScene<'s>) -> Lights<'s> {
-        let sky = self.studio.scene.background.environment.as_ref();
-        let sky = sky.map(|file| read(file, Transfer::Linear).expect("the sky can be read"));
-        Lights::new(&self.studio.geometry, world, sky.map(a8_path_tracing::light::Environment::new))
+        Lights::load(&self.studio.geometry, world).expect("the sky can be read")
     }
 
     /// Renders up to each of some numbers of samples, one after the other, on one thread.
@@ -93,8 +91,7 @@ impl Stage {
         let accel = self.args.sampling.accel.structure(&self.studio.geometry, None);
         let accel = accel.unwrap_or_else(|error| panic!("{}", error.report()));
         let world = self.world();
-        let side = self.studio.size.width().max(self.studio.size.height());
-        let numbers = Numbers::new(plan.pattern, plan.spp, side, seed);
+        let numbers = Numbers::new(plan.pattern, plan.spp, self.studio.size, seed);
         let lights = self.lights(&world);
         let tracer =
             PathTracer::new(&self.studio, &world, accel.as_accel(), lights, numbers, self.args.rules());

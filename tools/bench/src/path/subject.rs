@@ -63,7 +63,7 @@ impl Subject {
     ) -> Result<(Film, Counters), AppError> {
         let size = self.studio.size;
         let lights = Lights::load(&self.studio.geometry, world)?;
-        let numbers = Numbers::new(recipe.pattern, recipe.spp, size.width().max(size.height()), seed);
+        let numbers = Numbers::new(recipe.pattern, recipe.spp, size, seed);
         let tracer = PathTracer::new(&self.studio, world, accel.as_accel(), lights, numbers, recipe.rules);
         let mut sums = Sums::new(Frame::whole(size), Layout::default(), 0).map_err(AppError::from)?;
         let options = TileOptions { threads: Some(1), ..TileOptions::default() };

@@ -98,9 +98,7 @@ impl Ball {
         let refracted = plane.filter(|_| through).map_or([None; 3], |plane| plane.refracted());
         [mirrored].into_iter().chain(refracted).flatten()
     }
-}
 
-impl Ball {
     /// What is left of light on a way; by symmetry Fresnel's share is the same on both sides.
     fn share(&self, direction: DVec3, normal: DVec3, through: bool, inner: f64) -> Vec3 {
         let mirrored = match self.glass == Vec3::ZERO {

@@ -78,12 +78,15 @@ impl<'b> Plane<'b> {
         (2.0 * (angle - inner) - outer.0, 2.0 * (1.0 - inner_slope) - outer.1)
     }
 
+    /// The way by reflection.
     pub fn mirrored(&self) -> Option<BallWay> {
         let swept = |angle: f64| self.swept_mirrored(angle);
         let angle = root(swept, self.angle(), 0.0, FRAC_PI_2)?;
         self.way(angle, 1.0, swept(angle).1, false)
     }
 
+    /// The ways through the ball: on its far side, then the two on the near side before and after
+    /// the least angle that they sweep.
     pub fn refracted(&self) -> [Option<BallWay>; 3] {
         let swept = |angle: f64| self.swept_refracted(angle);
         let missing = PI - self.angle();
