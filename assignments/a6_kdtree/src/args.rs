@@ -4,9 +4,9 @@ use crate::instances::Instances;
 use crate::kdtree::{MAX_DEPTH, Options, Rule};
 use crate::picture::Heat;
 use crate::tracer::{Tracer, finite};
-use a1_ray_casting::{CastArgs, Picture};
+use a1_ray_casting::{CastArgs, Picture, Report, Studio};
 use a5_grid::{Cells, GridArgs, Structure};
-use common::accel::List;
+use common::accel::{Accel, List};
 use common::cli::{self, AppError};
 use common::geometry::Geometry;
 use std::path::PathBuf;
@@ -181,6 +181,22 @@ impl AccelArgs {
         let layer = self.heat_layer().ok().flatten()?;
         let path = Some(PathBuf::from(&self.heat.as_ref()?[0]));
         Some(Picture { path, layer: Box::new(layer) })
+    }
+
+    /// Draws and writes the pictures of depth, normals and heat, as far as they are asked for: what
+    /// is left to do for steps that draw the colour picture themselves.
+    ///
+    /// # Errors
+    /// A picture that cannot be written.
+    pub fn expose_side_pictures(
+        &self,
+        studio: &Studio,
+        accel: &dyn Accel,
+        report: &mut Report,
+    ) -> Result<(), AppError> {
+        let mut side = self.grid.whitted.phong.diffuse.side_pictures();
+        side.extend(self.heat_picture());
+        if side.is_empty() { Ok(()) } else { studio.expose(self.cast(), accel, &side, report) }
     }
 
     /// The structure that finds hits; trees are built when the first ray asks.

@@ -90,9 +90,7 @@ impl Step for Sampled<'_> {
         let shade = SoftWhitted { whitted: whitted.whitted(scene, accel), lights };
         whitted.print_ray_tree(studio, &shade.whitted, report)?;
         self.draw_samples(args, studio, accel, &shade, report)?;
-        let mut side = whitted.phong.diffuse.side_pictures();
-        side.extend(args.heat_picture());
-        if side.is_empty() { Ok(()) } else { studio.expose(args.cast(), accel, &side, report) }
+        args.expose_side_pictures(studio, accel, report)
     }
 }
 

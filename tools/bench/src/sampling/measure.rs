@@ -97,14 +97,14 @@ mod tests {
     }
 
     #[test]
-    fn more_samples_are_nearer_to_the_truth_and_cost_more() {
+    fn more_samples_are_nearer_to_the_truth() {
         let place = Place::named("disc", Size::new(24, 24).unwrap()).unwrap();
         let lit = place.lit().unwrap();
         let truth = truth(&lit, None, 1024).unwrap();
         let recipe = |samples, error| Recipe { pattern: Pattern::Sobol, kernel: None, samples, error };
         let [few, many, adaptive] = [recipe(4, None), recipe(256, None), recipe(256, Some(0.01))]
             .map(|recipe| recipe.measure(&lit, 1, &truth).unwrap());
-        assert!(few.rmse > 4.0 * many.rmse && few.cpu < many.cpu, "{few:?} {many:?}");
+        assert!(few.rmse > 4.0 * many.rmse, "{few:?} {many:?}");
         assert!(adaptive.mean < 128.0 && adaptive.rmse < 0.01, "{adaptive:?}");
     }
 }
