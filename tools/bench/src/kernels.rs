@@ -1,5 +1,6 @@
 //! One part at a time: reading a mesh, building a grid, tracing rays on one thread.
 
+use crate::report::{Better, Cell, Section, Table};
 use crate::sample::Sample;
 use a5_grid::{Cells, Fit, Grid};
 use common::accel::{Accel, List};
@@ -66,7 +67,7 @@ pub fn run(rounds: usize) -> Result<(), AppError> {
             Box::new(|| trace(&list, &few)),
         ),
     ];
-    report(rounds, parts);
+    say(&measure(rounds, parts).to_string());
     Ok(())
 }
 
@@ -87,7 +88,8 @@ fn verify(grid: &Grid, list: &List, camera: &Camera, rays: &[Ray]) -> Result<(),
     }
 }
 
-fn report(rounds: usize, mut parts: Vec<Part>) {
+/// Times every part once a round, after a first round that warms up.
+fn measure(rounds: usize, mut parts: Vec<Part>) -> Section {
     let mut samples = vec![Sample::default(); parts.len()];
     for round in 0..=rounds {
         for ((_, _, _, work), sample) in parts.iter_mut().zip(&mut samples) {
@@ -98,13 +100,16 @@ fn report(rounds: usize, mut parts: Vec<Part>) {
             }
         }
     }
-    say(&format!(
-        "{:<34} {:>9} {:>9} {:>9} {:>16}",
-        "milliseconds, one thread", "median", "25 %", "75 %", "rate at median"
-    ));
+    let columns = [("ms", Better::Less), ("rate at median", Better::More), ("unit", Better::Neither)];
+    let mut table = Table::new("one part at a time", "part", &columns);
     for ((name, units, unit, _), s) in parts.iter().zip(&samples) {
-        let rate = units / (s.median() / 1e3);
-        let (m, a, b) = (s.median(), s.quantile(0.25), s.quantile(0.75));
-        say(&format!("{name:<34} {m:>9.3} {a:>9.3} {b:>9.3} {rate:>8.1} {unit}"));
+        table.row(*name, [Cell::from(s), Cell::from(units / (s.median() / 1e3)), Cell::from(*unit)]);
+    }
+    Section {
+        part: "kernels",
+        title: "Reading, building, tracing, one part at a time".to_owned(),
+        remarks: vec!["wall clock of one thread: median (quartiles)".to_owned()],
+        tables: vec![table],
+        figures: Vec::new(),
     }
 }

@@ -12,6 +12,7 @@ mod kernels;
 mod path;
 mod pictures;
 mod rays;
+mod report;
 mod sample;
 mod sampling;
 mod simplify;

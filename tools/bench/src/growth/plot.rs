@@ -9,6 +9,7 @@ use std::path::Path;
 const FONT: (&str, u32) = ("sans-serif", 17);
 
 /// One curve.
+#[derive(Clone, Debug)]
 pub struct Curve {
     /// What it is called in the legend.
     pub name: String,
