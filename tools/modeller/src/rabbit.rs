@@ -1,5 +1,5 @@
-//! The rabbit: one animal as an implicit solid, polygonised once and reduced to several levels of
-//! detail.
+//! The rabbit: one animal as an implicit solid, polygonised finely. What lies in `scenes/meshes` is
+//! made from that by assignment 9.
 //!
 //! It is modelled in tenths of the scene's unit, standing on y = 0, head towards −x and turned a
 //! little to +z.
@@ -7,37 +7,24 @@
 use crate::implicit::{Ellipsoid, Join, Join::Add, Join::Cut, Solid};
 use crate::mesh::{Bounds, Mesh};
 use crate::polygonise::polygonise;
-use crate::reduce::reduce;
 use crate::relax::relax;
 use glam::{DVec3, dvec3};
 
 /// The box that the cameras of the bunny scenes are made for.
 pub const BOX: Bounds = Bounds { min: dvec3(-0.189, 0.067, -0.123), max: dvec3(0.122, 0.374, 0.118) };
 
-/// Cell size of the first, fine polygonisation.
+/// Cell size of the polygonisation.
 const CELL: f64 = 0.036;
 /// A box with room for the whole model.
 const SPACE: Bounds = Bounds { min: dvec3(-2.1, -0.2, -1.5), max: dvec3(2.1, 4.0, 1.5) };
-/// From this many triangles on a level is evened out; coarser ones need their long thin triangles
-/// on the ears.
-const FINE: usize = 5000;
-
-/// The rabbit with each of the given numbers of triangles, which must be even and fall from level
-/// to level.
-pub fn levels<const N: usize>(counts: [usize; N]) -> [Mesh; N] {
+/// The rabbit with many more triangles than any scene uses, numbered along a curve through space.
+pub fn fine() -> Mesh {
     let solid = rabbit();
     let mut mesh = polygonise(|p| solid.distance(p), SPACE, CELL);
     relax(&mut mesh, &solid, 3);
-    counts.map(|count| {
-        mesh = reduce(&mesh, count);
-        if count >= FINE {
-            relax(&mut mesh, &solid, 4);
-        }
-        let mut level = mesh.clone();
-        level.fit(BOX);
-        level.order_spatially();
-        level
-    })
+    mesh.fit(BOX);
+    mesh.order_spatially();
+    mesh
 }
 
 /// The whole animal.

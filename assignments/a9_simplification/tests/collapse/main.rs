@@ -5,6 +5,7 @@ mod bound;
 mod exact;
 mod flips;
 mod irregular;
+mod rabbit;
 mod shapes;
 mod topology;
 mod whole;
