@@ -6,6 +6,7 @@
 
 use crate::collapse::cost::{Cost, Merge, Offer, cheapest};
 use crate::collapse::quadric::Symmetric;
+use crate::collapse::queue::Queue;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface};
 use common::math::DVec3;
@@ -76,6 +77,8 @@ impl Accumulated {
 }
 
 impl Cost for Accumulated {
+    type Line = Queue;
+
     const PATIENCE: u32 = 2;
 
     #[inline(always)]

@@ -1,6 +1,7 @@
 //! What a step costs and where it leads: the seam between the run and its quadrics.
 
 use crate::collapse::quadric::Symmetric;
+use crate::collapse::queue::Line;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::Surface;
 use common::math::DVec3;
@@ -33,6 +34,9 @@ pub(super) struct Merge {
 
 /// How steps are priced.
 pub(super) trait Cost: Clone {
+    /// Who comes next.
+    type Line: Line;
+
     /// How many drawers dearer than thought an edge may be and still not be put back.
     const PATIENCE: u32 = 0;
 

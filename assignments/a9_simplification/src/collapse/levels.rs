@@ -66,7 +66,7 @@ const QUICKLY: Finish = Finish { samples: 8, from: 5, rounds: 1 };
 /// Points stay where the run put them.
 const NEVER: Finish = Finish { samples: 0, from: usize::MAX, rounds: 0 };
 
-struct Levels<'a, C> {
+struct Levels<'a, C: Cost> {
     prepared: &'a Prepared<'a>,
     run: Run<C>,
     finish: Finish,

@@ -7,6 +7,7 @@
 //! remembered.
 
 use crate::collapse::cost::{Cost, Merge, Offer};
+use crate::collapse::heap::Heap;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface, previous};
 use common::math::DVec3;
@@ -16,6 +17,8 @@ use common::math::DVec3;
 pub(super) struct Curvature;
 
 impl Cost for Curvature {
+    type Line = Heap;
+
     fn prefetch(&self, _: u32) {}
 
     fn price(&self, surface: &Surface, h: u32) -> Offer {

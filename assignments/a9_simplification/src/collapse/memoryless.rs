@@ -7,6 +7,7 @@
 
 use crate::collapse::cost::{Cost, Merge, Offer, cheapest};
 use crate::collapse::quadric::Symmetric;
+use crate::collapse::queue::Queue;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface, previous};
 use common::math::DVec3;
@@ -79,6 +80,8 @@ impl Memoryless {
 }
 
 impl Cost for Memoryless {
+    type Line = Queue;
+
     #[inline(always)]
     fn prefetch(&self, point: u32) {
         prefetch(&self.of[point as usize..]);

@@ -11,6 +11,7 @@ mod build;
 mod cells;
 mod cost;
 mod deviation;
+mod heap;
 mod levels;
 mod locate;
 mod melax;

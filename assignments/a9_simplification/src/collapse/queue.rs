@@ -5,6 +5,42 @@
 //! pushing and popping take a few instructions, neighbours that cost the same come in the order of
 //! their numbers, which are often neighbours in memory, and one can look ahead.
 
+/// Who comes next: what may be drawn together, by what it costs.
+pub(super) trait Line: Clone {
+    /// When it is somebody's turn; less is sooner.
+    type Turn: Copy + Ord;
+
+    /// An empty line for entries below `limit`.
+    fn new(limit: usize) -> Self;
+
+    /// The turn of what costs so much.
+    fn turn(cost: f64) -> Self::Turn;
+
+    /// A later turn that still passes for this one.
+    fn bear(turn: Self::Turn, _patience: u32) -> Self::Turn {
+        turn
+    }
+
+    /// Puts in an entry that is not there.
+    fn push(&mut self, entry: u32, turn: Self::Turn);
+
+    /// Takes out the next one.
+    fn pop(&mut self) -> Option<(u32, Self::Turn)>;
+
+    /// What will be popped `further` entries on, if that is known already.
+    fn ahead(&self, _further: usize) -> Option<u32> {
+        None
+    }
+
+    /// The price of an entry, which may be there under another number `twin`, has changed while it was
+    /// somebody's `turn`.
+    fn renew(&mut self, entry: u32, twin: Option<u32>, turn: Self::Turn, price: impl FnOnce() -> f64);
+
+    /// Bytes that are held.
+    #[cfg(test)]
+    fn bytes(&self) -> usize;
+}
+
 /// Bits of the mantissa that count.
 const FINENESS: u32 = 3;
 /// How many drawers there are for positive, finite `f32`.
@@ -30,22 +66,23 @@ pub(super) struct Queue {
 impl Drawer {
     /// So many drawers further on.
     #[inline(always)]
-    pub(super) fn dearer(self, by: u32) -> Self {
+    fn dearer(self, by: u32) -> Self {
         Self(self.0 + by)
     }
 
     /// The drawer for a cost; what is not a number goes to the last.
     #[inline(always)]
-    pub(super) fn of(cost: f64) -> Self {
+    fn of(cost: f64) -> Self {
         // The last octave holds infinities and NaN.
         let bits = (cost.max(0.0) as f32).to_bits() >> (23 - FINENESS);
         Self(if cost.is_nan() { DRAWERS as u32 - 1 } else { bits.min(DRAWERS as u32 - 1) })
     }
 }
 
-impl Queue {
-    /// An empty queue for entries below `limit`.
-    pub(super) fn new(limit: usize) -> Self {
+impl Line for Queue {
+    type Turn = Drawer;
+
+    fn new(limit: usize) -> Self {
         Self {
             drawers: vec![Vec::new(); DRAWERS],
             queued: vec![false; limit],
@@ -56,24 +93,28 @@ impl Queue {
         }
     }
 
-    /// Whether an entry is queued.
     #[inline(always)]
-    pub(super) fn contains(&self, entry: u32) -> bool {
-        self.queued[entry as usize]
+    fn turn(cost: f64) -> Drawer {
+        Drawer::of(cost)
     }
 
-    /// Puts an entry that is not queued at the end of a drawer.
     #[inline(always)]
-    pub(super) fn push(&mut self, entry: u32, drawer: Drawer) {
+    fn bear(turn: Drawer, patience: u32) -> Drawer {
+        turn.dearer(patience)
+    }
+
+    /// At the end of a drawer.
+    #[inline(always)]
+    fn push(&mut self, entry: u32, drawer: Drawer) {
         let drawer = drawer.0 as usize;
         self.queued[entry as usize] = true;
         self.drawers[drawer].push(entry);
         self.lowest = self.lowest.min(drawer);
     }
 
-    /// Takes the next entry of the cheapest drawer.
+    /// The next entry of the cheapest drawer.
     #[inline(always)]
-    pub(super) fn pop(&mut self) -> Option<(u32, Drawer)> {
+    fn pop(&mut self) -> Option<(u32, Drawer)> {
         if self.out == self.entries.len() {
             self.open_next()?;
         }
@@ -83,18 +124,32 @@ impl Queue {
         Some((entry, self.open))
     }
 
-    /// What will be popped `further` entries on, if it is known already.
     #[inline(always)]
-    pub(super) fn ahead(&self, further: usize) -> Option<u32> {
+    fn ahead(&self, further: usize) -> Option<u32> {
         self.entries.get(self.out + further).copied()
     }
 
-    /// Bytes that are held.
+    /// Too cheaply rather than too late: the price is worked out when its turn comes.
+    #[inline(always)]
+    fn renew(&mut self, entry: u32, twin: Option<u32>, drawer: Drawer, _: impl FnOnce() -> f64) {
+        if !self.contains(entry) && twin.is_none_or(|twin| !self.contains(twin)) {
+            self.push(entry, drawer);
+        }
+    }
+
     #[cfg(test)]
-    pub(super) fn bytes(&self) -> usize {
+    fn bytes(&self) -> usize {
         let entries: usize = self.drawers.iter().map(Vec::capacity).sum();
         let rows = self.drawers.capacity() * size_of::<Vec<u32>>();
         (entries + self.entries.capacity()) * size_of::<u32>() + rows + self.queued.capacity()
+    }
+}
+
+impl Queue {
+    /// Whether an entry is queued.
+    #[inline(always)]
+    fn contains(&self, entry: u32) -> bool {
+        self.queued[entry as usize]
     }
 
     fn open_next(&mut self) -> Option<()> {

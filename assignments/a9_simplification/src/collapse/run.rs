@@ -6,7 +6,7 @@
 
 use crate::collapse::build::Built;
 use crate::collapse::cost::{Cost, Merge, Offer};
-use crate::collapse::queue::{Drawer, Queue};
+use crate::collapse::queue::Line;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface, next, previous};
 use crate::collapse::wedges::{Wedges, Where};
@@ -17,9 +17,12 @@ const FACE_AHEAD: usize = 24;
 /// … and what is known of its ends.
 const POINTS_AHEAD: usize = 12;
 
+/// When it is somebody's turn.
+type Turn<C> = <<C as Cost>::Line as Line>::Turn;
+
 /// A surface that is being simplified.
 #[derive(Clone)]
-pub(super) struct Run<C> {
+pub(super) struct Run<C: Cost> {
     pub surface: Surface,
     /// For every point itself or one that it went into.
     pub parent: Vec<u32>,
@@ -29,7 +32,7 @@ pub(super) struct Run<C> {
     pub copies: Vec<u32>,
     pub wedges: Option<Wedges>,
     cost: C,
-    queue: Queue,
+    queue: C::Line,
     ring: Ring,
 }
 
@@ -38,7 +41,7 @@ impl<C: Cost> Run<C> {
     pub(super) fn new(built: Built, wedges: Option<Wedges>, cost: impl Fn(&Surface) -> C) -> Self {
         let Built { surface, copies, cut } = built;
         let mut run = Self {
-            queue: Queue::new(surface.faces.len() * 4),
+            queue: C::Line::new(surface.faces.len() * 4),
             parent: (0..surface.points.len() as u32).collect(),
             cut,
             copies,
@@ -52,7 +55,7 @@ impl<C: Cost> Run<C> {
                 let twin = run.surface.twin(h);
                 if twin == NONE || h < twin {
                     let offer = run.cost.price(&run.surface, h);
-                    run.queue.push(h, Drawer::of(offer.cost));
+                    run.queue.push(h, C::Line::turn(offer.cost));
                 }
             }
         }
@@ -62,17 +65,17 @@ impl<C: Cost> Run<C> {
     /// Goes on until at most `target` faces are left; false if no step is left before.
     pub(super) fn until(&mut self, target: usize) -> bool {
         while self.surface.alive > target {
-            let Some((h, drawer)) = self.queue.pop() else { return false };
+            let Some((h, turn)) = self.queue.pop() else { return false };
             self.look_ahead();
             if !self.surface.is_alive(h >> 2) {
                 continue;
             }
             let offer = self.cost.price(&self.surface, h);
-            let now = Drawer::of(offer.cost);
-            if now > drawer.dearer(C::PATIENCE) {
+            let now = C::Line::turn(offer.cost);
+            if now > C::Line::bear(turn, C::PATIENCE) {
                 self.queue.push(h, now);
             } else {
-                self.try_step(h, drawer, &offer);
+                self.try_step(h, turn, &offer);
             }
         }
         true
@@ -99,7 +102,7 @@ impl<C: Cost> Run<C> {
     }
 
     /// An edge that may not be drawn together leaves the queue until something near it changes.
-    fn try_step(&mut self, h: u32, drawer: Drawer, offer: &Offer) {
+    fn try_step(&mut self, h: u32, turn: Turn<C>, offer: &Offer) {
         let surface = &self.surface;
         let ends = [surface.start(h), surface.end(h)];
         if ends.iter().any(|&end| self.cut[end as usize]) {
@@ -125,23 +128,22 @@ impl<C: Cost> Run<C> {
             self.parent[ends[1] as usize] = ends[0];
             let merge = Merge { kept: ends[0], gone: ends[1], from, place: at };
             self.cost.merged(&self.surface, &ring, &merge);
-            self.queue_around(ends[0], drawer);
+            self.queue_around(ends[0], turn);
         }
         self.ring = ring;
     }
 
-    /// Queues the edges around a point that are not queued, too cheaply rather than too late.
-    fn queue_around(&mut self, point: u32, drawer: Drawer) {
-        let first = self.surface.points[point as usize].out;
+    /// The edges around a point have other prices now.
+    fn queue_around(&mut self, point: u32, turn: Turn<C>) {
+        let (surface, cost) = (&self.surface, &self.cost);
+        let first = surface.points[point as usize].out;
         let mut spoke = first;
         loop {
             for h in [spoke, next(spoke), previous(spoke)] {
-                let twin = self.surface.twin(h);
-                if !self.queue.contains(h) && (twin == NONE || !self.queue.contains(twin)) {
-                    self.queue.push(h, drawer);
-                }
+                let twin = Some(surface.twin(h)).filter(|twin| *twin != NONE);
+                self.queue.renew(h, twin, turn, || cost.price(surface, h).cost);
             }
-            spoke = self.surface.turn(spoke);
+            spoke = surface.turn(spoke);
             if spoke == first || spoke == NONE {
                 return;
             }
