@@ -60,10 +60,10 @@ impl Landing<'_> {
         self.ray.origin + self.ray.direction * self.hit.t
     }
 
-    /// The unit normal on the outer side.
-    fn normal(&self) -> Vec3 {
+    /// The unit normal at a point of the surface, on the side that the ray goes to.
+    fn normal(&self, p: Vec3) -> Vec3 {
         let n = match self.shape {
-            Shape::Ball(center, _) => self.along_ray() - center,
+            Shape::Ball(center, _) => p - center,
             Shape::Facet([a, b, c]) => (b - a).cross(c - a),
         };
         let n = n.normalize_or_zero();
@@ -89,7 +89,7 @@ fn by_integers(l: &Landing) -> Start {
         Shape::Ball(..) => l.along_ray(),
         Shape::Facet(corners) => blend(corners, &l.hit).0,
     };
-    let n = l.normal();
+    let n = l.normal(p);
     let moved = |axis: usize| {
         if p[axis].abs() < NEAR_ZERO {
             return p[axis] + FIXED * n[axis];
@@ -129,7 +129,7 @@ fn by_error_bounds(l: &Landing) -> Start {
             (p, magnitude * gamma(7.0))
         }
     };
-    let n = l.normal();
+    let n = l.normal(p);
     let offset = n * n.abs().dot(error);
     let moved = |axis: usize| {
         let x = p[axis] + offset[axis];

@@ -63,7 +63,8 @@ pub fn measure(effort: &Effort) -> Result<Vec<Table>, AppError> {
     for (kind, name) in KINDS.iter().enumerate() {
         let mut table =
             Table::new(format!("offsets, {name}: of {} landings", effort.trials), "start", &columns);
-        let sizes = SIZES.iter().map(|size| judge(kind, *size, effort.trials)).collect::<Result<Vec<_>, _>>()?;
+        let sizes =
+            SIZES.iter().map(|size| judge(kind, *size, effort.trials)).collect::<Result<Vec<_>, _>>()?;
         for (m, method) in METHODS.iter().enumerate() {
             let again = sizes.iter().map(|verdicts| Cell::from(verdicts[m].again));
             let lost = sizes.iter().map(|verdicts| Cell::from(verdicts[m].lost));
@@ -110,16 +111,18 @@ mod tests {
 
     #[test]
     fn fixed_distances_fit_one_size_only_and_ours_fits_all() {
-        for kind in 0..KINDS.len() {
+        for (kind, name) in KINDS.iter().enumerate() {
             let sizes = SIZES.map(|size| judge(kind, size, 2000).unwrap());
             for verdicts in &sizes {
                 let v = of("ours", verdicts);
-                assert_eq!((v.again, v.lost), (0, 0), "{}", KINDS[kind]);
+                assert_eq!((v.again, v.lost), (0, 0), "{name}");
+                // Its bounds are right; on spheres the rounded normal may take the other side.
                 let v = of("pbrt error bounds", verdicts);
-                assert_eq!(v.again, 0, "{}", KINDS[kind]);
+                assert!(v.lost == 0 && v.again <= if kind == 0 { 60 } else { 0 }, "{name}");
+                assert!(of("Wächter–Binder", verdicts).lost > 200, "{name}");
             }
-            assert!(of("tmin 1e-4", &sizes[3]).again > 50, "{}", KINDS[kind]);
-            assert!(of("tmin 1e-3", &sizes[0]).lost > 1000, "{}", KINDS[kind]);
+            assert!(of("tmin 1e-4", &sizes[3]).again > 50, "{name}");
+            assert!(of("tmin 1e-3", &sizes[0]).lost > 1000, "{name}");
         }
     }
 

@@ -10,9 +10,9 @@ use common::geometry::Geometry;
 use common::math::{DVec3, Interval, Vec3};
 use common::mesh::Mesh;
 use common::ray::Ray;
+use common::shape::plane::Plane;
 use common::shape::sphere::{self, Sphere};
 use common::shape::{ExactRay, plane};
-use common::shape::plane::Plane;
 use modeller::generated::sphere as ball_mesh;
 use std::sync::Arc;
 
@@ -82,7 +82,9 @@ impl Body {
         };
         let normal = self.geometry.surface(&ray, &hit).geometric_normal;
         // Meshes have an inside; both sides of a triangle are its outside.
-        let outer = if self.geometry.len() == 1 && self.ball.is_none() && normal.dot(ray.direction.as_dvec3()) > 0.0
+        let outer = if self.geometry.len() == 1
+            && self.ball.is_none()
+            && normal.dot(ray.direction.as_dvec3()) > 0.0
         {
             -normal
         } else {
@@ -149,10 +151,10 @@ mod tests {
     #[test]
     fn landings_are_left_outward() {
         let mut draw = Draw::new(5);
-        for kind in 0..KINDS.len() {
+        for (kind, name) in KINDS.iter().enumerate() {
             let body = Body::new(kind, 1.0, &mut draw).unwrap();
             let landings: Vec<Landing> = (0..200).filter_map(|_| body.land(&mut draw)).collect();
-            assert!(landings.len() > 10, "{}: {}", KINDS[kind], landings.len());
+            assert!(landings.len() > 10, "{name}: {}", landings.len());
             for l in landings {
                 let n = body.geometry.surface(&l.ray, &l.hit).geometric_normal;
                 let side = n.dot(l.direction.as_dvec3());
@@ -165,7 +167,7 @@ mod tests {
     #[test]
     fn a_cover_is_lost_from_beyond_it_only() {
         let mut draw = Draw::new(6);
-        for kind in 0..KINDS.len() {
+        for (kind, name) in KINDS.iter().enumerate() {
             let body = Body::new(kind, 1000.0, &mut draw).unwrap();
             let landing = (0..100).find_map(|_| body.land(&mut draw)).unwrap();
             let surface = body.geometry.surface(&landing.ray, &landing.hit);
@@ -173,7 +175,7 @@ mod tests {
             let n = if n.dot(landing.direction.as_dvec3()) < 0.0 { -n } else { n };
             let start = |away: f64, min| Start { origin: (surface.point + n * away).as_vec3(), min };
             let gap = GAP * body.reach;
-            assert!(!body.loses_cover(&landing, start(0.5 * gap, 0.0)), "{}", KINDS[kind]);
+            assert!(!body.loses_cover(&landing, start(0.5 * gap, 0.0)), "{name}");
             assert!(body.loses_cover(&landing, start(0.5 * gap, f32::MAX)));
             assert!(kind == 0 || body.loses_cover(&landing, start(2.0 * gap, 0.0)));
         }

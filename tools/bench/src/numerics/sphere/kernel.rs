@@ -36,7 +36,9 @@ const SINGLE: f64 = f32::EPSILON as f64;
 /// All tests.
 pub const KERNELS: [Kernel; 7] = [
     Kernel { name: "b² − 4ac, f32", eps: SINGLE, test: textbook::<f32> },
-    Kernel { name: "b² − 4ac, q instead of −b ± √, f32", eps: SINGLE, test: without_cancellation::<f32> },
+    Kernel {
+        name: "b² − 4ac, q instead of −b ± √, f32", eps: SINGLE, test: without_cancellation::<f32>
+    },
     Kernel { name: "Hearn–Baker, f32", eps: SINGLE, test: hearn_baker::<f32> },
     Kernel { name: "recentred, f32", eps: SINGLE, test: recentred },
     Kernel { name: "b² − 4ac, f64", eps: f64::EPSILON, test: textbook::<f64> },

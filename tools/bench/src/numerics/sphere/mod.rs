@@ -7,7 +7,8 @@ use super::Effort;
 use super::double_double::DoubleDouble;
 use super::draw::Draw;
 use super::timing::{Work, interleave};
-use crate::report::{Better, Cell, Table};
+use crate::growth::plot::{Curve, Upward};
+use crate::report::{Better, Cell, Figure, Row, Table};
 use crate::sample::Sample;
 use common::cli::AppError;
 use common::math::{DVec3, Vec3};
@@ -21,6 +22,9 @@ const DISTANCES: [f64; 7] = [2.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6];
 const WELL_INSIDE: f64 = 0.99;
 /// How many trials are timed.
 const TIMED: usize = 4096;
+
+/// The table that is drawn, too.
+const WORST: &str = "spheres: worst error of t, in eps of the test's own precision";
 
 /// A ray and a sphere that it hits for certain.
 struct Trial {
@@ -95,7 +99,7 @@ pub fn measure(effort: &Effort) -> Result<Vec<Table>, AppError> {
     let columns: Vec<(&str, Better)> = distances.iter().map(|d| (d.as_str(), Better::Less)).collect();
     let count = effort.trials;
     let mut missed = Table::new(format!("spheres: sure hits missed, of {count}"), "test", &columns);
-    let mut worst = Table::new("spheres: worst error of t, in eps of the test's own precision", "test", &columns);
+    let mut worst = Table::new(WORST, "test", &columns);
     let sets = DISTANCES.map(|distance| trials(distance, count));
     agree(&sets[0])?;
     for kernel in &KERNELS {
@@ -104,6 +108,21 @@ pub fn measure(effort: &Effort) -> Result<Vec<Table>, AppError> {
         worst.row(kernel.name, verdicts.iter().map(|v| Cell::from(v.worst)));
     }
     Ok(vec![missed, worst, costs(effort.rounds)])
+}
+
+/// The second table as curves.
+pub fn figure(tables: &[Table]) -> Figure {
+    let of = |row: &Row| Curve {
+        name: row.label.clone(),
+        points: DISTANCES.into_iter().zip(row.cells.iter().filter_map(Cell::value)).collect(),
+    };
+    Figure {
+        title: "Ray against sphere: worst error of t".to_owned(),
+        across: "distance of the origin in radii".to_owned(),
+        up: "eps of the test's own precision".to_owned(),
+        upward: Upward::Logarithmic,
+        curves: tables.iter().filter(|t| t.title == WORST).flat_map(|t| &t.rows).map(of).collect(),
+    }
 }
 
 /// From two radii away no test may be off by much.

@@ -27,7 +27,8 @@ impl Kernel for BaldwinWeber {
     fn triangle(corners: &[Vec3; 3]) -> [Line; 3] {
         let [a, b, c] = corners.map(|p| p.as_dvec3());
         let normal = (b - a).cross(c - a);
-        let axis = DVec3::AXES.into_iter().max_by(|p, q| normal.dot(*p).abs().total_cmp(&normal.dot(*q).abs()));
+        let axis =
+            DVec3::AXES.into_iter().max_by(|p, q| normal.dot(*p).abs().total_cmp(&normal.dot(*q).abs()));
         let to_unit = DMat3::from_cols(b - a, c - a, axis.unwrap_or(DVec3::Z)).inverse().transpose();
         [to_unit.x_axis, to_unit.y_axis, to_unit.z_axis].map(|row| (row.as_vec3(), -row.dot(a) as f32))
     }

@@ -68,11 +68,7 @@ fn test<S: Simd>(simd: S, block: &[[[f32; 8]; 3]; 3], ray: &Ray, min: f32, max: 
 
 #[inline(always)]
 fn load<S: Simd>(simd: S, part: &[[f32; 8]; 3]) -> Wide<S> {
-    [
-        f32x8::from_slice(simd, &part[0]),
-        f32x8::from_slice(simd, &part[1]),
-        f32x8::from_slice(simd, &part[2]),
-    ]
+    [f32x8::from_slice(simd, &part[0]), f32x8::from_slice(simd, &part[1]), f32x8::from_slice(simd, &part[2])]
 }
 
 #[inline(always)]

@@ -101,16 +101,17 @@ fn table(body: &Body, rays: usize, contenders: &[Box<dyn Contender + '_>], verdi
 
 fn costs(body: &Body, rounds: usize) -> Table {
     let mut draw = Draw::new(3);
-    let rays: Vec<Ray> =
-        (0..CLASSES.len() * TIMED).map(|i| body.ray(i % CLASSES.len(), &mut draw)).collect();
+    let rays: Vec<Ray> = (0..CLASSES.len() * TIMED).map(|i| body.ray(i % CLASSES.len(), &mut draw)).collect();
     let contenders = contenders(body);
     let mut works: Vec<Work> = contenders
         .iter()
         .map(|contender| Work {
             units: (rays.len() * body.world.triangles()) as f64,
-            run: Box::new(|| rays.iter().for_each(|ray| {
-                black_box(contender.nearest(ray));
-            })),
+            run: Box::new(|| {
+                rays.iter().for_each(|ray| {
+                    black_box(contender.nearest(ray));
+                })
+            }),
         })
         .collect();
     let samples: Vec<Sample> = interleave(rounds, &mut works);
