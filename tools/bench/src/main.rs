@@ -1,5 +1,5 @@
 //! Run time, measured. `cargo run --release -p bench -- pictures`, or `-- kernels`,
-//! `-- rays`, `-- trees`, `-- growth`, `-- sampling`, `-- simplify`; other people's work takes part
+//! `-- numerics`, `-- rays`, `-- trees`, `-- growth`, `-- sampling`, `-- simplify`; other people's work takes part
 //! in `rays` and `simplify` with `cargo run --release -p bench --features peers -- rays`.
 //!
 //! What is compared is interleaved, so that a busy moment of the machine hits all alike, and
@@ -9,6 +9,7 @@
 mod clock;
 mod growth;
 mod kernels;
+mod numerics;
 mod path;
 mod pictures;
 mod rays;
@@ -46,6 +47,8 @@ enum Part {
         #[arg(long, default_value_t = 31)]
         rounds: usize,
     },
+    /// Tests, offsets and marches of others beside ours: what is wrong with them, what they cost
+    Numerics(numerics::Options),
     /// Rays per second of every structure, beside what is wrong with its answers
     Rays(rays::Options),
     /// Build time against render time on five views: no tree, kd-trees, hierarchy
@@ -72,6 +75,7 @@ fn main() -> ExitCode {
     cli::run(|| match program.part {
         Part::Pictures { rounds } => pictures::run(rounds.max(1)),
         Part::Kernels { rounds } => kernels::run(rounds.max(1)),
+        Part::Numerics(options) => numerics::run(&options),
         Part::Rays(options) => rays::run(&options),
         Part::Trees(options) => trees::run(&options),
         Part::Growth(options) => growth::run(&options),

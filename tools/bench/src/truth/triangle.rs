@@ -20,23 +20,32 @@ impl Line {
 
     /// Where the line meets a triangle, edges included; `None` if it passes it by or runs in its
     /// plane.
-    ///
-    /// The line passes on the same side of all three edges if the volumes that it spans with
-    /// them have the same sign (Plücker coordinates; Amanatides & Choi 1997). The volume of an
-    /// edge is, bit for bit, the negative of that of the reversed edge, so nothing can slip
-    /// between two triangles that share one.
     pub fn meets(&self, corners: [Vec3; 3]) -> Option<f64> {
-        let [a, b, c] = corners.map(|p| p.as_dvec3() - self.origin);
-        let volume = |p: DVec3, q: DVec3| self.direction.dot(p.cross(q));
-        let [u, v, w] = [volume(b, c), volume(c, a), volume(a, b)];
+        let [u, v, w] = self.volumes(corners);
         let (least, most) = (u.min(v).min(w), u.max(v).max(w));
         if least < 0.0 && most > 0.0 {
             return None;
         }
-        let normal = (b - a).cross(c - a);
-        let t = normal.dot(a) / normal.dot(self.direction);
+        let t = self.crosses_plane(corners);
         // A line in the plane gives an infinity or NaN.
         t.is_finite().then_some(t)
+    }
+
+    /// What the line spans with the edge opposite each corner. It passes on the same side of all
+    /// three edges if these volumes have the same sign (Plücker coordinates; Amanatides & Choi
+    /// 1997). The volume of an edge is, bit for bit, the negative of that of the reversed edge,
+    /// so nothing can slip between two triangles that share one.
+    pub fn volumes(&self, corners: [Vec3; 3]) -> [f64; 3] {
+        let [a, b, c] = corners.map(|p| p.as_dvec3() - self.origin);
+        let volume = |p: DVec3, q: DVec3| self.direction.dot(p.cross(q));
+        [volume(b, c), volume(c, a), volume(a, b)]
+    }
+
+    /// Where the line crosses the triangle's plane; an infinity or NaN if it runs along it.
+    pub fn crosses_plane(&self, corners: [Vec3; 3]) -> f64 {
+        let [a, b, c] = corners.map(|p| p.as_dvec3() - self.origin);
+        let normal = (b - a).cross(c - a);
+        normal.dot(a) / normal.dot(self.direction)
     }
 }
 
