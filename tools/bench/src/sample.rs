@@ -6,7 +6,18 @@ pub struct Sample {
     values: Vec<f64>,
 }
 
+impl FromIterator<f64> for Sample {
+    fn from_iter<I: IntoIterator<Item = f64>>(values: I) -> Self {
+        Self { values: values.into_iter().collect() }
+    }
+}
+
 impl Sample {
+    /// What follows from each measurement.
+    pub fn map(&self, of: impl Fn(f64) -> f64) -> Self {
+        self.values.iter().map(|v| of(*v)).collect()
+    }
+
     /// Adds a measurement.
     pub fn add(&mut self, value: f64) {
         self.values.push(value);
@@ -41,5 +52,7 @@ mod tests {
         assert!(s.median().is_nan());
         [5.0, 1.0, 3.0].into_iter().for_each(|v| s.add(v));
         assert_eq!((s.quantile(0.0), s.median(), s.quantile(1.0)), (1.0, 3.0, 5.0));
+        let rates = s.map(|v| 15.0 / v);
+        assert_eq!((rates.quantile(0.0), rates.median(), rates.quantile(1.0)), (3.0, 5.0, 15.0));
     }
 }
