@@ -45,7 +45,8 @@ struct Run<'a> {
     options: &'a Options,
     machine: Table,
     chapters: Vec<Chapter>,
-    loads: Vec<(&'static str, Load)>,
+    /// Of each part: its flags, and what it took.
+    loads: Vec<(Entry, Load)>,
     /// The other run, and whatever was measured by others.
     old: Vec<Record>,
     external: Vec<Record>,
@@ -85,7 +86,7 @@ fn perform(options: &Options, entries: &[Entry]) -> Result<(), AppError> {
             load.seconds,
             load.others * 100.0
         ));
-        run.loads.push((entry.name, load));
+        run.loads.push((entry.clone(), load));
         run.chapters.push(Chapter { name: entry.name, command: entry.command(), outcome });
         run.write()?;
     }
@@ -159,11 +160,12 @@ impl Run<'_> {
 
     /// How long each part took, and who else used the machine.
     fn log(&self) -> Table {
-        let columns = ["seconds", "processors, ours %", "processors, others %"];
+        let columns = ["seconds", "processors, ours %", "processors, others %", "flags"];
         let mut table = Table::new("parts", "", &columns.map(|name| (name, Better::Neither)));
-        for (name, load) in &self.loads {
-            let shares = [load.ours, load.others].map(|share| Cell::derived(share * 100.0));
-            table.row(*name, std::iter::once(Cell::derived(load.seconds)).chain(shares));
+        for (entry, load) in &self.loads {
+            let [ours, others] = [load.ours, load.others].map(|share| Cell::derived(share * 100.0));
+            let flags = Cell::from(entry.flags.as_str());
+            table.row(entry.name, [Cell::derived(load.seconds), ours, others, flags]);
         }
         table
     }

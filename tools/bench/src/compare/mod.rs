@@ -36,8 +36,8 @@ pub fn section(name: &str, old: &[Record], new: &[Record]) -> Section {
     let found = differ(old, new);
     let mut remarks = vec![
         format!(
-            "all timings together cost {:.3} times as much as in {name}: the drift of the machine, which is divided out",
-            found.drift
+            "all timings together cost {:.3} times as much processor time as in {name}, and {:.3} times as much on the wall clock: the drift of the machine, which is divided out",
+            found.drift[0], found.drift[1]
         ),
         "moved: quartiles do not overlap, and the ratio is beyond 5 %, twice the quartiles' half-widths, and what noise makes of so many timings"
             .to_owned(),
@@ -51,10 +51,12 @@ pub fn section(name: &str, old: &[Record], new: &[Record]) -> Section {
 
 /// Other words about machine and program, but for the date.
 fn circumstances(old: &[Record], new: &[Record]) -> Vec<String> {
-    let about = |r: &&Record| r.place[0] == RUN && r.place[1] == "machine" && r.place[2] != "date";
+    let told = |cell: &Cell| matches!(cell, Cell::Text(_));
+    let about = |r: &&Record| r.place[0] == RUN && r.place[2] != "date" && told(&r.cell);
     let other = |n: &Record| {
         let o = old.iter().find(|o| o.place == n.place)?;
-        (o.cell != n.cell).then(|| format!("{}: {} -> {}", n.place[2], o.cell, n.cell))
+        let what = [n.place[2].as_str(), n.place[3].as_str()].join(" ");
+        (o.cell != n.cell).then(|| format!("{}: {} -> {}", what.trim_end(), o.cell, n.cell))
     };
     new.iter().filter(about).filter_map(other).collect()
 }

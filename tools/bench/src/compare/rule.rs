@@ -2,7 +2,8 @@
 //!
 //! Every timing gives one ratio, new cost over old cost (rates are turned over). The median of all
 //! ratios is the *drift*: the machine was quicker or slower as a whole, by its clock or by the load
-//! of others; it is divided out. What is left scatters. The scatter of a part is robustly estimated
+//! of others; it is divided out. The wall clock has a drift of its own, since it goes on while others
+//! work: timings of columns whose name says `wall` are held to that. What is left scatters. The scatter of a part is robustly estimated
 //! by the median of the logarithms' sizes (times 1.4826, which makes it the deviation of a normal
 //! distribution); a part with few timings has the scatter of all. A timing has moved if
 //!
@@ -68,8 +69,9 @@ pub struct Whole {
 /// All differences of two runs.
 #[derive(Clone, Debug, Default)]
 pub struct Difference {
-    /// The median ratio of all timings, which is divided out; NaN if there are none.
-    pub drift: f64,
+    /// The median ratios, which are divided out: of processor time, of the wall clock; NaN if there
+    /// are no such timings.
+    pub drift: [f64; 2],
     /// In the order of their names.
     pub parts: Vec<Whole>,
     /// The largest first.
@@ -88,6 +90,8 @@ struct Pair<'a> {
     new: Measured,
     /// Logarithm of new cost over old.
     log: f64,
+    /// The same of the drift of the clock that it was measured by.
+    drift: f64,
 }
 
 impl<'a> Pair<'a> {
@@ -99,12 +103,23 @@ impl<'a> Pair<'a> {
             Better::Neither => return None,
         };
         let log = ratio.ln();
-        log.is_finite().then_some(Self { place: &new.place, better: new.better, old: *o, new: *n, log })
+        let (place, better) = (&new.place, new.better);
+        log.is_finite().then_some(Self { place, better, old: *o, new: *n, log, drift: 0.0 })
+    }
+
+    /// Whether it was measured by the clock on the wall.
+    fn is_wall(&self) -> bool {
+        self.place[3].contains("wall")
+    }
+
+    /// Logarithm of the ratio, drift removed.
+    fn moved(&self) -> f64 {
+        self.log - self.drift
     }
 
     /// Whether the quartiles have something in common when the old ones have drifted.
-    fn overlaps(&self, drift: f64) -> bool {
-        let factor = if self.better == Better::More { (-drift).exp() } else { drift.exp() };
+    fn overlaps(&self) -> bool {
+        let factor = if self.better == Better::More { (-self.drift).exp() } else { self.drift.exp() };
         self.new.low <= self.old.high * factor && self.old.low * factor <= self.new.high
     }
 
@@ -123,12 +138,13 @@ pub fn differ(old: &[Record], new: &[Record]) -> Difference {
     let after: BTreeMap<&Place, &Record> = new.iter().map(|r| (&r.place, r)).collect();
     let both: Vec<(&Record, &Record)> =
         new.iter().filter_map(|r| Some((*before.get(&r.place)?, r))).collect();
-    let pairs: Vec<Pair> = both.iter().filter_map(|(o, n)| Pair::new(o, n)).collect();
-    let drift = median(pairs.iter().map(|p| p.log));
-    let parts = wholes(&pairs, drift);
+    let mut pairs: Vec<Pair> = both.iter().filter_map(|(o, n)| Pair::new(o, n)).collect();
+    let drift = [false, true].map(|wall| median(pairs.iter().filter(|p| p.is_wall() == wall).map(|p| p.log)));
+    pairs.iter_mut().for_each(|p| p.drift = drift[usize::from(p.is_wall())]);
+    let parts = wholes(&pairs);
     Difference {
-        drift: drift.exp(),
-        moves: moves(&pairs, drift, &parts),
+        drift: drift.map(f64::exp),
+        moves: moves(&pairs, &parts),
         parts,
         changes: both.into_iter().filter_map(|(o, n)| change(o, n)).collect(),
         alone: [
@@ -142,27 +158,27 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     values.collect::<Sample>().median()
 }
 
-fn wholes(pairs: &[Pair], drift: f64) -> Vec<Whole> {
-    let scatter = |of: &[&Pair]| NORMAL * median(of.iter().map(|p| (p.log - drift).abs()));
+fn wholes(pairs: &[Pair]) -> Vec<Whole> {
+    let scatter = |of: &[&Pair]| NORMAL * median(of.iter().map(|p| p.moved().abs()));
     let all = scatter(&pairs.iter().collect::<Vec<_>>());
     let mut parts: BTreeMap<&String, Vec<&Pair>> = BTreeMap::new();
     pairs.iter().for_each(|p| parts.entry(&p.place[0]).or_default().push(p));
     let whole = |(part, of): (&String, Vec<&Pair>)| Whole {
         part: part.clone(),
         timings: of.len(),
-        ratio: (median(of.iter().map(|p| p.log)) - drift).exp(),
+        ratio: median(of.iter().map(|p| p.moved())).exp(),
         scatter: if of.len() < ENOUGH { all } else { scatter(&of) },
     };
     parts.into_iter().map(whole).collect()
 }
 
-fn moves(pairs: &[Pair], drift: f64, parts: &[Whole]) -> Vec<Move> {
+fn moves(pairs: &[Pair], parts: &[Whole]) -> Vec<Move> {
     let deviations = (2.0 * (pairs.len() as f64).ln()).max(0.0).sqrt() + 1.0;
     let moved = |pair: &Pair| {
         let scatter = parts.iter().find(|w| w.part == pair.place[0]).map_or(0.0, |w| w.scatter);
         let limit = LEAST.ln().max(deviations * scatter).max(2.0 * pair.spread());
-        let log = pair.log - drift;
-        (log.abs() > limit && !pair.overlaps(drift)).then(|| Move {
+        let log = pair.moved();
+        (log.abs() > limit && !pair.overlaps()).then(|| Move {
             place: pair.place.clone(),
             cells: [Cell::Measured(pair.old), Cell::Measured(pair.new)],
             ratio: log.exp(),

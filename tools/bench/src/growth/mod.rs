@@ -90,15 +90,10 @@ pub fn draw(options: &Options, section: &Section) -> Result<(), AppError> {
 }
 
 fn table(points: &[Point]) -> Table {
-    let columns = [
-        ("triangles", Better::Neither),
-        ("ns", Better::Less),
-        ("nodes", Better::Less),
-        ("tests", Better::Less),
-    ];
+    let columns = ["ns", "nodes", "tests"].map(|name| (name, Better::Less));
     let mut table = Table::new("cost of a ray", "structure, rays, triangles", &columns);
     for p in points {
-        let cells = [p.triangles.into(), Cell::from(&p.time), p.nodes.into(), p.tests.into()];
+        let cells = [Cell::from(&p.time), p.nodes.into(), p.tests.into()];
         table.row(format!("{}, {}", series(p.series), p.triangles), cells);
     }
     table

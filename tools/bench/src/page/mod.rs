@@ -141,7 +141,7 @@ mod tests {
             "<li>5 &gt; 4</li>",
             "<td class=\"best\">1.00</td>",
             "2.00 <small>± 0.500</small> ★",
-            "viewBox=\"0 0 900 560\"",
+            "viewBox=\"0 0 1120 560\"",
         ] {
             assert!(page.contains(part), "{part} is not in {page}");
         }

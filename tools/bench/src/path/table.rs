@@ -8,7 +8,7 @@ use common::picture::Size;
 
 const COLUMNS: [(&str, Better); 8] = [
     ("Mpaths/s", Better::More),
-    ("rays/path", Better::Less),
+    ("rays/path", Better::Neither),
     ("RMSE", Better::Less),
     ("relative RMSE", Better::Less),
     ("RMSE*sqrt(s)", Better::Less),
@@ -41,7 +41,7 @@ pub fn add(section: &mut Section, name: &str, size: Size, recipes: &[Recipe], sh
     let price = |row: usize| table.rows[row].cells[5].value().unwrap_or(f64::NAN);
     let best = (0..table.rows.len()).min_by(|a, b| price(*a).total_cmp(&price(*b)));
     if let (true, Some(row)) = (section.headline.is_empty(), best.map(|b| &table.rows[b])) {
-        let what = format!("{name}: least sqrt(relMSE*s), by {}", row.label);
+        let what = format!("{name}: efficiency, least sqrt(relMSE*s), by {}", row.label);
         section.headline.push((what, row.cells[5].clone()));
     }
     section.tables.push(table);

@@ -142,7 +142,8 @@ fn on_mesh(
         lines.extend(rows.iter().map(|row| table::row_json(world, &set.name, &questions, row)));
         rates.push(asked);
     }
-    section.headline.extend(table::headline(world, &builds, &rates));
+    let first = sets.iter().find(|s| !s.rays.is_empty()).map_or("", |s| &s.name);
+    section.headline.extend(table::headline(world, first, &builds, &rates));
     section.figures.extend(table::figure(world, &builds, &rates));
     Ok(lines)
 }

@@ -77,11 +77,16 @@ pub fn of_answers(world: &World, set: &str, questions: &[Question], rows: &[Row]
     table
 }
 
-/// The house's best structure and its rate for camera rays.
-pub fn headline(world: &World, builds: &[Built], rates: &[Vec<Vec<Rate>>]) -> Option<(String, Cell)> {
+/// The house's best structure and its rate for the first set of rays, which has that name.
+pub fn headline(
+    world: &World,
+    set: &str,
+    builds: &[Built],
+    rates: &[Vec<Vec<Rate>>],
+) -> Option<(String, Cell)> {
     let place = builds.iter().position(|(name, ..)| *name == "bvh")?;
     let rate = rates.first()?.get(place)?.first()?;
-    Some((format!("bvh, {}, first set of rays, Mrays/s", world.name), Cell::from(&rate.mrays)))
+    Some((format!("bvh, {}, {set} rays, nearest hit, Mrays/s", world.name), Cell::from(&rate.mrays)))
 }
 
 /// Build time against rate, with what nothing beats. The rate is the first question's for a mix of
@@ -176,7 +181,7 @@ mod tests {
         let figure = figure(&world, &builds, &rates).unwrap();
         assert_eq!(figure.curves[0].points, [(4.0, 4.0)]);
         assert_eq!(figure.front.len(), 2, "one is quick to build, the other to ask");
-        assert_eq!(headline(&world, &builds, &rates).unwrap().1.value(), Some(3.0));
+        assert_eq!(headline(&world, "primary", &builds, &rates).unwrap().1.value(), Some(3.0));
         assert!(super::figure(&world, &builds, &[]).is_none());
     }
 }

@@ -17,7 +17,7 @@ pub struct Figure {
     pub upward: Upward,
     /// What was measured.
     pub curves: Vec<Curve>,
-    /// What was fitted to it: drawn as broken lines without points.
+    /// What was fitted to it: drawn as thin lines without points.
     pub fits: Vec<Curve>,
     /// Points that are ringed, since nothing beats them.
     pub front: Vec<(f64, f64)>,

@@ -2,13 +2,17 @@
 
 use super::{Curve, Figure, Upward};
 use common::cli::AppError;
+use plotters::coord::Shift;
+use plotters::coord::combinators::LogCoord;
 use plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
 use plotters::prelude::*;
 
 /// Family and size of all text but the caption.
 const FONT: (&str, u32) = ("sans-serif", 17);
 /// Width and height in pixels.
-const SIZE: (u32, u32) = (900, 560);
+const SIZE: (u32, u32) = (1120, 560);
+/// Pixels that the legend takes at the right.
+const LEGEND: u32 = 250;
 /// Radius of the rings around points of the front.
 const RING: i32 = 7;
 
@@ -30,13 +34,13 @@ pub fn svg(figure: &Figure) -> Result<String, AppError> {
         return Err(AppError::CheckFailed(format!("`{}`: nothing that can be drawn", figure.title)));
     }
     let mut text = String::new();
-    let across = (min / 1.1..max * 1.1).log_scale();
+    let across = factors(min / 1.1, max * 1.1);
     match figure.upward {
-        Upward::Linear => picture(&mut text, figure, (across, 0.0..top * 1.05)),
-        Upward::Logarithmic => {
-            let up = (bottom / 1.2..top * 1.2).log_scale();
-            picture(&mut text, figure, (across, up))
+        Upward::Linear => {
+            let up: Axis<_> = (0.0..top * 1.05, Box::new(|y| number(*y)));
+            picture(&mut text, figure, across, up)
         }
+        Upward::Logarithmic => picture(&mut text, figure, across, factors(bottom / 1.2, top * 1.2)),
     }
     .map_err(|e| AppError::CheckFailed(format!("cannot draw `{}`: {e}", figure.title)))?;
     Ok(text)
@@ -45,7 +49,8 @@ pub fn svg(figure: &Figure) -> Result<String, AppError> {
 fn picture<X, Y>(
     text: &mut String,
     figure: &Figure,
-    (across, up): (X, Y),
+    across: Axis<X>,
+    up: Axis<Y>,
 ) -> Result<(), Box<dyn std::error::Error>>
 where
     X: AsRangedCoord<Value = f64>,
@@ -55,48 +60,58 @@ where
 {
     let area = SVGBackend::with_string(text, SIZE).into_drawing_area();
     area.fill(&WHITE)?;
-    let mut chart = ChartBuilder::on(&area)
+    let (left, right) = area.split_horizontally(SIZE.0 - LEGEND);
+    let mut chart = ChartBuilder::on(&left)
         .caption(&figure.title, ("sans-serif", 20))
         .margin(12)
         .x_label_area_size(50)
         .y_label_area_size(75)
-        .build_cartesian_2d(across, up)?;
+        .build_cartesian_2d(across.0, up.0)?;
     chart
         .configure_mesh()
         .x_desc(&figure.across)
         .y_desc(&figure.up)
         .label_style(FONT)
         .axis_desc_style(FONT)
-        .x_label_formatter(&|x| number(*x))
-        .y_label_formatter(&|y| number(*y))
+        .x_label_formatter(&across.1)
+        .y_label_formatter(&up.1)
         .light_line_style(WHITE)
         .draw()?;
-    for (i, curve) in figure.curves.iter().enumerate() {
+    for (i, Curve { points, .. }) in figure.curves.iter().enumerate() {
         let color = color(i, figure);
-        let line = chart.draw_series(LineSeries::new(curve.points.iter().copied(), color.stroke_width(2)))?;
-        let sample = move |(x, y)| PathElement::new([(x, y), (x + 20, y)], color.stroke_width(2));
-        line.label(&curve.name).legend(sample);
-        chart.draw_series(curve.points.iter().map(|p| Circle::new(*p, 3, color.filled())))?;
+        chart.draw_series(LineSeries::new(points.iter().copied(), color.stroke_width(2)))?;
+        chart.draw_series(points.iter().map(|p| Circle::new(*p, 3, color.filled())))?;
     }
     for (i, Curve { points, .. }) in figure.fits.iter().enumerate() {
-        chart.draw_series(DashedLineSeries::new(points.iter().copied(), 6, 5, color(i, figure).into()))?;
+        chart.draw_series(LineSeries::new(points.iter().copied(), color(i, figure).mix(0.5)))?;
+    }
+    chart.draw_series(figure.front.iter().map(|p| Circle::new(*p, RING, BLACK.stroke_width(1))))?;
+    legend(&right, figure)?;
+    area.present()?;
+    Ok(())
+}
+
+/// Names beside their colours, outside of the picture, where nothing can be hidden.
+fn legend(area: &DrawingArea<SVGBackend, Shift>, figure: &Figure) -> Result<(), Box<dyn std::error::Error>> {
+    let text = |name: &str, y| Text::new(name.to_owned(), (32, y - 8), FONT);
+    let place = |line: usize| 60 + 22 * line as i32;
+    for (i, curve) in figure.curves.iter().enumerate() {
+        let y = place(i);
+        let color = color(i, figure);
+        area.draw(&PathElement::new([(4, y), (26, y)], color.stroke_width(2)))?;
+        area.draw(&Circle::new((15, y), 3, color.filled()))?;
+        area.draw(&text(&curve.name, y))?;
+    }
+    let mut y = place(figure.curves.len());
+    if !figure.fits.is_empty() {
+        area.draw(&PathElement::new([(4, y), (26, y)], BLACK.mix(0.5)))?;
+        area.draw(&text("thin: fitted", y))?;
+        y = place(figure.curves.len() + 1);
     }
     if !figure.front.is_empty() {
-        let ring = |p: &(f64, f64)| Circle::new(*p, RING, BLACK.stroke_width(1));
-        let rings = chart.draw_series(figure.front.iter().map(ring))?;
-        rings
-            .label("nothing beats it")
-            .legend(|(x, y)| Circle::new((x + 10, y), RING - 1, BLACK.stroke_width(1)));
+        area.draw(&Circle::new((15, y), RING, BLACK.stroke_width(1)))?;
+        area.draw(&text("nothing beats it", y))?;
     }
-    let corner = match figure.upward {
-        Upward::Linear => SeriesLabelPosition::UpperLeft,
-        // Errors fall: what is free is the corner below.
-        Upward::Logarithmic if falls(figure) => SeriesLabelPosition::LowerLeft,
-        Upward::Logarithmic => SeriesLabelPosition::UpperLeft,
-    };
-    let mut legend = chart.configure_series_labels();
-    legend.label_font(FONT).position(corner).background_style(WHITE).border_style(BLACK).draw()?;
-    area.present()?;
     Ok(())
 }
 
@@ -105,11 +120,16 @@ fn color(curve: usize, figure: &Figure) -> HSLColor {
     HSLColor(curve as f64 / figure.curves.len() as f64, 0.8, 0.4)
 }
 
-/// Whether most of the curves end lower than they begin.
-fn falls(figure: &Figure) -> bool {
-    let ends = figure.curves.iter().filter_map(|c| Some((c.points.first()?.1, c.points.last()?.1)));
-    let (falling, rising) = ends.fold((0, 0), |(f, r), (a, b)| (f + i32::from(b < a), r + i32::from(b > a)));
-    falling > rising
+/// An axis and what is written at its steps.
+type Axis<'a, A> = (A, Box<dyn Fn(&f64) -> String + 'a>);
+
+/// Equal factors from one number to another. Where there are many steps, only 1, 2 and 5 times a
+/// power of ten are written, since the others would stand in each other.
+fn factors<'a>(from: f64, to: f64) -> Axis<'a, LogCoord<f64>> {
+    let few = to / from < 4.0;
+    let is_round = |x: f64| ["1", "2", "5"].iter().any(|digit| format!("{x:.0e}").starts_with(digit));
+    let write = move |x: &f64| if few || is_round(*x) { number(*x) } else { String::new() };
+    ((from..to).log_scale().into(), Box::new(write))
 }
 
 /// A number at an axis: k for thousands, M for millions, without the rounding errors of its steps.
@@ -145,8 +165,8 @@ mod tests {
         assert!(text.matches("<polyline").count() >= 2 && text.trim_end().ends_with("</svg>"));
         assert_eq!(figure.front, [(1e3, 1.0)]);
         let circles = |text: &str| text.matches("<circle").count();
-        assert_eq!((circles(&plain), circles(&text)), (4, 4 + 2));
-        assert!(svg(&figure).unwrap().matches("<polyline").count() > plain.matches("<polyline").count());
+        assert_eq!((circles(&plain), circles(&text)), (4 + 2, 4 + 2 + 2));
+        assert!(text.contains("thin: fitted") && !plain.contains("thin: fitted"));
     }
 
     #[test]
@@ -163,6 +183,9 @@ mod tests {
     #[test]
     fn numbers_at_axes_are_short() {
         let shown = [0.009000000000000001, 1.0, 0.1, 20.0, 1500.0, 2e4, 3e6, 1e-5, 0.0].map(number);
+        let write = |from, to| factors(from, to).1;
+        assert_eq!([20.0, 30.0, 50.0].map(|x| write(1.0, 100.0)(&x)), ["20", "", "50"]);
+        assert_eq!(write(25.0, 35.0)(&30.0), "30");
         assert_eq!(shown, ["0.009", "1", "0.1", "20", "1500", "20 k", "3 M", "1e-5", "0"]);
     }
 }

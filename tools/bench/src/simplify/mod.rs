@@ -132,6 +132,9 @@ fn on_mesh(
         section.faults.extend(ours.map(fault));
         ratios.push(rows);
     }
+    if section.headline.is_empty() {
+        section.headline = table::headline(name, &options.ratios, &ratios);
+    }
     section.figures.push(table::figure(name, &ratios));
     Ok(())
 }
@@ -192,6 +195,7 @@ mod tests {
             let section = measure(&options).unwrap_or_else(|error| panic!("{}", error.report()));
             assert_eq!(section.faults, Vec::<String>::new());
             assert_eq!((section.tables.len(), section.figures.len()), (2 + 2, 1 + 1));
+            assert!(section.headline[0].0.contains("to 0.1, memoryless"), "{:?}", section.headline);
         }
         for options in
             [options(&["part1"], &[]), options(&["nothing"], &[]), options(&["part1k"], &["magic"])]

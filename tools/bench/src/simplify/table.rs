@@ -6,6 +6,10 @@ use a9_simplification::measure::Comparison;
 
 /// Distances are shown in this share of the diagonal.
 const UNIT: f64 = 1e4;
+/// The method of the headline, which is what `a9_simplification` does unless told otherwise.
+const DEFAULT: &str = "memoryless";
+/// The share of the triangles that the headline is about.
+const WANTED: f64 = 0.1;
 
 /// Names of the columns of [`csv`].
 pub const CSV_HEAD: &str = "mesh,triangles,ratio,method,faces,cpu_ms,cpu_ms_low,cpu_ms_high,rms,rms_forward,\
@@ -45,6 +49,22 @@ pub fn of_ratio(mesh: &str, triangles: usize, ratio: f64, rows: &[Row]) -> Table
         table.mark_front("processor ms", quality, |row| whole(&row.label));
     }
     table
+}
+
+/// Time and distance of the default method at the ratio that is nearest to a tenth.
+pub fn headline(mesh: &str, ratios: &[f64], rows: &[Vec<Row>]) -> Vec<(String, Cell)> {
+    let far = |ratio: &f64| (ratio / WANTED).ln().abs();
+    let nearest = ratios.iter().zip(rows).min_by(|a, b| far(a.0).total_cmp(&far(b.0)));
+    let Some((ratio, row)) =
+        nearest.and_then(|(ratio, rows)| Some((ratio, rows.iter().find(|row| row.name == DEFAULT)?)))
+    else {
+        return Vec::new();
+    };
+    let what = |figure: &str| format!("{mesh} to {ratio}, {}, {figure}", row.name);
+    vec![
+        (what("processor ms"), Cell::from(&row.cpu)),
+        (what("RMS distance, 1/10,000 of the diagonal"), Cell::from(rms(row) * UNIT)),
+    ]
 }
 
 /// Distance against time: a curve for each method, a point for each ratio, and rings around what
