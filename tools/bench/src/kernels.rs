@@ -1,11 +1,12 @@
 //! One part at a time: reading a mesh, building a grid, tracing rays on one thread.
 
+use crate::clock;
 use crate::report::{Better, Cell, Section, Table};
 use crate::sample::Sample;
 use a5_grid::{Cells, Fit, Grid};
 use common::accel::{Accel, List};
 use common::camera::{Camera, screen_position};
-use common::cli::{AppError, say};
+use common::cli::AppError;
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit};
 use common::mesh::read_obj;
@@ -13,11 +14,21 @@ use common::picture::Size;
 use common::ray::Ray;
 use common::scene;
 use std::hint::black_box;
-use std::path::Path;
-use std::time::Instant;
+use std::path::PathBuf;
 
-const SCENE: &str = "scenes/scene5_09_bunny_mesh_40k.txt";
-const MESH: &str = "scenes/meshes/bunny_40k.obj";
+const SCENE: &str = "scene5_09_bunny_mesh_40k.txt";
+const MESH: &str = "meshes/bunny_40k.obj";
+
+/// What to measure.
+#[derive(clap::Args)]
+pub struct Options {
+    /// Rounds; every round runs every part once
+    #[arg(long, default_value_t = 31)]
+    rounds: usize,
+    /// The folder of the scenes
+    #[arg(long, value_name = "FOLDER", default_value = "scenes")]
+    scenes: PathBuf,
+}
 
 /// One timed part: a name, how many units of work one round does, and the unit.
 type Part<'a> = (&'static str, f64, &'static str, Box<dyn FnMut() + 'a>);
@@ -26,8 +37,9 @@ type Part<'a> = (&'static str, f64, &'static str, Box<dyn FnMut() + 'a>);
 ///
 /// # Errors
 /// If the scene cannot be read, or grid and list disagree.
-pub fn run(rounds: usize) -> Result<(), AppError> {
-    let scene = scene::load(Path::new(SCENE))?;
+pub fn measure(options: &Options) -> Result<Section, AppError> {
+    let scene = scene::load(&options.scenes.join(SCENE))?;
+    let mesh = options.scenes.join(MESH);
     let geometry = Geometry::build(&scene)?;
     let bounds = geometry.bounds().ok_or_else(|| AppError::Usage("the scene is empty".to_owned()))?;
     let cells = || Cells::new([40, 40, 33], &bounds);
@@ -36,7 +48,7 @@ pub fn run(rounds: usize) -> Result<(), AppError> {
     let camera = Camera::new(&scene.camera);
     let rays = camera_rays(&camera, 200)?;
     verify(&grid, &list, &camera, &rays)?;
-    let megabytes = std::fs::metadata(MESH)?.len() as f64 / 1e6;
+    let megabytes = std::fs::metadata(&mesh)?.len() as f64 / 1e6;
     let few: Vec<Ray> = rays.iter().copied().step_by(400).collect();
     let trace = |accel: &dyn Accel, rays: &[Ray]| {
         let mut counters = Counters::default();
@@ -45,7 +57,7 @@ pub fn run(rounds: usize) -> Result<(), AppError> {
         }
     };
     let parts: Vec<Part> = vec![
-        ("read bunny_40k.obj", megabytes, "MB/s", Box::new(|| drop(black_box(read_obj(Path::new(MESH)))))),
+        ("read bunny_40k.obj", megabytes, "MB/s", Box::new(|| drop(black_box(read_obj(&mesh))))),
         (
             "build grid 40x40x33, exact",
             0.04,
@@ -67,8 +79,7 @@ pub fn run(rounds: usize) -> Result<(), AppError> {
             Box::new(|| trace(&list, &few)),
         ),
     ];
-    say(&measure(rounds, parts).to_string());
-    Ok(())
+    time(options.rounds.max(1), parts)
 }
 
 fn camera_rays(camera: &Camera, side: u32) -> Result<Vec<Ray>, AppError> {
@@ -89,27 +100,33 @@ fn verify(grid: &Grid, list: &List, camera: &Camera, rays: &[Ray]) -> Result<(),
 }
 
 /// Times every part once a round, after a first round that warms up.
-fn measure(rounds: usize, mut parts: Vec<Part>) -> Section {
-    let mut samples = vec![Sample::default(); parts.len()];
+fn time(rounds: usize, mut parts: Vec<Part>) -> Result<Section, AppError> {
+    let mut samples = vec![<[Sample; 2]>::default(); parts.len()];
     for round in 0..=rounds {
-        for ((_, _, _, work), sample) in parts.iter_mut().zip(&mut samples) {
-            let started = Instant::now();
-            work();
+        for ((_, _, _, work), [wall, cpu]) in parts.iter_mut().zip(&mut samples) {
+            let ((), span) = clock::time(work)?;
             if round > 0 {
-                sample.add(started.elapsed().as_secs_f64() * 1e3);
+                wall.add(span.wall);
+                cpu.add(span.cpu);
             }
         }
     }
-    let columns = [("ms", Better::Less), ("rate at median", Better::More), ("unit", Better::Neither)];
+    let columns = [
+        ("wall ms", Better::Less),
+        ("processor ms", Better::Less),
+        ("rate, by the processor", Better::More),
+        ("unit", Better::Neither),
+    ];
     let mut table = Table::new("one part at a time", "part", &columns);
-    for ((name, units, unit, _), s) in parts.iter().zip(&samples) {
-        table.row(*name, [Cell::from(s), Cell::from(units / (s.median() / 1e3)), Cell::from(*unit)]);
+    for ((name, units, unit, _), [wall, cpu]) in parts.iter().zip(&samples) {
+        let rate = cpu.map(|ms| units / (ms / 1e3));
+        table.row(*name, [wall.into(), cpu.into(), Cell::from(&rate), Cell::from(*unit)]);
     }
-    Section {
+    Ok(Section {
         part: "kernels",
         title: "Reading, building, tracing, one part at a time".to_owned(),
-        remarks: vec!["wall clock of one thread: median (quartiles)".to_owned()],
+        remarks: vec!["median (quartiles)".to_owned()],
         tables: vec![table],
-        figures: Vec::new(),
-    }
+        ..Section::default()
+    })
 }

@@ -1,15 +1,21 @@
-//! Run time, measured. `cargo run --release -p bench -- pictures`, or `-- kernels`,
-//! `-- numerics`, `-- rays`, `-- trees`, `-- growth`, `-- sampling`, `-- simplify`; other people's work takes part
-//! in `rays` and `simplify` with `cargo run --release -p bench --features peers -- rays`.
+//! Run time, measured. `cargo run --release -p bench -- all` measures everything and makes a page
+//! of it; `-- pictures` and the names below measure one part and print it. Other people's work
+//! takes part in `rays` and `simplify` with `cargo run --release -p bench --features peers -- rays`.
 //!
 //! What is compared is interleaved, so that a busy moment of the machine hits all alike, and
 //! medians are printed with their quartiles. Results are verified before anything is timed.
 //! Nothing here passes or fails by time.
 
+mod all;
+mod child;
 mod clock;
+mod compare;
+mod fit;
 mod growth;
 mod kernels;
 mod numerics;
+mod page;
+mod part;
 mod path;
 mod pictures;
 mod rays;
@@ -17,12 +23,16 @@ mod report;
 mod sample;
 mod sampling;
 mod simplify;
+mod startup;
+mod statistics;
 mod trees;
 mod truth;
 mod world;
 
 use clap::Parser;
-use common::cli::{self, AppError};
+use common::cli;
+use part::Part;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Run time of raysteps: medians of interleaved rounds.
@@ -30,67 +40,35 @@ use std::process::ExitCode;
 #[command(name = "bench", version, rename_all = "snake_case")]
 struct Program {
     #[command(subcommand)]
-    part: Part,
+    task: Task,
+    /// Writes what a part found, for `bench compare`
+    #[arg(long, global = true, value_name = "FILE.csv")]
+    results: Option<PathBuf>,
 }
 
 #[derive(clap::Subcommand)]
-enum Part {
-    /// Whole command lines, from process start to the written picture
-    Pictures {
-        /// Rounds; every round runs every command line once
-        #[arg(long, default_value_t = 31)]
-        rounds: usize,
-    },
-    /// Reading meshes, building grids, tracing rays, one part at a time
-    Kernels {
-        /// Rounds; every round runs every part once
-        #[arg(long, default_value_t = 31)]
-        rounds: usize,
-    },
-    /// Tests, offsets and marches of others beside ours: what is wrong with them, what they cost
-    Numerics(numerics::Options),
-    /// Rays per second of every structure, beside what is wrong with its answers
-    Rays(rays::Options),
-    /// Build time against render time on five views: no tree, kd-trees, hierarchy
-    Trees(trees::Options),
-    /// Cost of a ray from a thousand to ten million triangles, with a plot
-    Growth(growth::Options),
-    /// Processor time of simplification against its error, on meshes of every kind
-    Simplify(simplify::Options),
-    /// Error of pictures against samples and against time: patterns, filters, adaptive sampling
-    Sampling(sampling::Options),
-    /// Error of path-traced pictures against processor time: integrators, samplers
-    Path(path::Options),
-    /// One command line of assignment 5, as a process to be timed
+enum Task {
+    /// Every part, one after the other: results.csv, figures, and one page that holds all
+    All(all::Options),
+    /// What moved between two runs, beyond the noise
+    Compare(compare::Options),
+    #[command(flatten)]
+    Part(Part),
+    /// One command line of an assignment, as a process to be timed
     #[command(hide = true)]
     Child {
-        /// The command line, without the program's name.
+        /// The program's name and its arguments.
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-        args: Vec<String>,
+        words: Vec<String>,
     },
 }
 
 fn main() -> ExitCode {
     let program = Program::parse();
-    cli::run(|| match program.part {
-        Part::Pictures { rounds } => pictures::run(rounds.max(1)),
-        Part::Kernels { rounds } => kernels::run(rounds.max(1)),
-        Part::Numerics(options) => numerics::run(&options),
-        Part::Rays(options) => rays::run(&options),
-        Part::Trees(options) => trees::run(&options),
-        Part::Growth(options) => growth::run(&options),
-        Part::Simplify(options) => simplify::run(&options),
-        Part::Sampling(options) => sampling::run(&options),
-        Part::Path(options) => path::run(&options),
-        Part::Child { args } => child(args),
+    cli::run(|| match program.task {
+        Task::All(options) => all::run(&options),
+        Task::Compare(options) => compare::run(&options),
+        Task::Part(part) => part::run(&part, program.results.as_deref()),
+        Task::Child { words } => child::run(&words),
     })
-}
-
-/// Does what the program `a5_grid` does, then says how much processor time it took.
-fn child(args: Vec<String>) -> Result<(), AppError> {
-    let words = std::iter::once("a5_grid".to_owned()).chain(args);
-    let parsed = cli::try_parse_from::<a5_grid::Program>(words).map_err(|stop| AppError::Usage(stop.text))?;
-    a5_grid::run(&parsed.options.args)?;
-    cli::say(&format!("cpu_ns {}", clock::process_time()?));
-    Ok(())
 }

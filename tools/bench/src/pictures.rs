@@ -1,10 +1,13 @@
 //! Whole command lines: process start, reading, building, rendering, writing.
 
+use crate::child;
+use crate::report::{Better, Cell, Section, Table};
 use crate::sample::Sample;
-use common::cli::{AppError, say};
+use common::cli::AppError;
 use std::path::Path;
-use std::process::Command;
-use std::time::Instant;
+
+/// The case that the course itself runs.
+const MAIN: usize = 1;
 
 /// A name and a command line of assignment 5.
 const CASES: [(&str, &str); 5] = [
@@ -24,53 +27,59 @@ const CASES: [(&str, &str); 5] = [
     ),
 ];
 
+/// What to measure.
+#[derive(clap::Args)]
+pub struct Options {
+    /// Rounds; every round runs every command line once
+    #[arg(long, default_value_t = 31)]
+    rounds: usize,
+}
+
+/// Makes sure that scenes are where command lines look for them.
+///
+/// # Errors
+/// If the program is not started from the repository's root.
+pub fn at_home() -> Result<(), AppError> {
+    let lost = || AppError::Usage("run this from the repository's root, where scenes/ is".to_owned());
+    Path::new("scenes").is_dir().then_some(()).ok_or_else(lost)
+}
+
 /// Times every case `rounds` times, in turn.
 ///
 /// # Errors
 /// If a command line fails, or is not started from the repository's root.
-pub fn run(rounds: usize) -> Result<(), AppError> {
-    if !Path::new("scenes").is_dir() {
-        return Err(AppError::Usage("run this from the repository's root, where scenes/ is".to_owned()));
+pub fn measure(options: &Options) -> Result<Section, AppError> {
+    at_home()?;
+    let samples = child::in_folder(|folder| rounds(options.rounds.max(1), folder))?;
+    let mut table =
+        Table::new("command lines", "", &[("wall ms", Better::Less), ("processor ms", Better::Less)]);
+    for ((name, _), [wall, cpu]) in CASES.iter().zip(&samples) {
+        table.row(*name, [Cell::from(wall), Cell::from(cpu)]);
     }
-    let folder = std::env::temp_dir().join(format!("raysteps-bench-{}", std::process::id()));
-    std::fs::create_dir_all(&folder)?;
-    let measured = measure(rounds, &folder);
-    std::fs::remove_dir_all(&folder)?;
-    let measured = measured?;
-    say(&format!("{:<44} {:>8} {:>8} {:>8} {:>9}", "milliseconds", "median", "25 %", "75 %", "processor"));
-    for ((name, _), (wall, cpu)) in CASES.iter().zip(&measured) {
-        let (m, a, b) = (wall.median(), wall.quantile(0.25), wall.quantile(0.75));
-        say(&format!("{name:<44} {m:>8.1} {a:>8.1} {b:>8.1} {:>9.1}", cpu.median()));
-    }
-    Ok(())
+    Ok(Section {
+        part: "pictures",
+        title: "Whole command lines, from process start to the written picture".to_owned(),
+        remarks: vec!["assignment 5, 200 x 200 pixels, all threads: median (quartiles)".to_owned()],
+        headline: vec![("main job, wall ms".to_owned(), Cell::from(&samples[MAIN][0]))],
+        tables: vec![table],
+        ..Section::default()
+    })
 }
 
-fn measure(rounds: usize, folder: &Path) -> Result<Vec<(Sample, Sample)>, AppError> {
-    let mut samples = vec![(Sample::default(), Sample::default()); CASES.len()];
+/// Wall-clock and processor time of every case, in milliseconds.
+fn rounds(rounds: usize, folder: &Path) -> Result<Vec<[Sample; 2]>, AppError> {
+    let mut samples = vec![<[Sample; 2]>::default(); CASES.len()];
+    let picture = folder.join("out.tga");
     // The first round warms the file cache and is not counted.
     for round in 0..=rounds {
-        for ((_, line), (wall, cpu)) in CASES.iter().zip(&mut samples) {
-            let (w, c) = once(line, folder)?;
+        for ((_, line), [wall, cpu]) in CASES.iter().zip(&mut samples) {
+            let words: Vec<&str> = std::iter::once("a5_grid").chain(line.split(' ')).collect();
+            let span = child::time(&words, Some(&picture))?;
             if round > 0 {
-                wall.add(w);
-                cpu.add(c);
+                wall.add(span.wall);
+                cpu.add(span.cpu);
             }
         }
     }
     Ok(samples)
-}
-
-/// Wall-clock and processor time of one run, in milliseconds.
-fn once(line: &str, folder: &Path) -> Result<(f64, f64), AppError> {
-    let mut command = Command::new(std::env::current_exe()?);
-    command.arg("child").args(line.split(' ')).arg("-output").arg(folder.join("out.tga"));
-    let started = Instant::now();
-    let output = command.output()?;
-    let wall = started.elapsed().as_secs_f64() * 1e3;
-    let text = String::from_utf8_lossy(&output.stdout);
-    let cpu = text.lines().find_map(|l| l.strip_prefix("cpu_ns ")?.parse::<f64>().ok());
-    match cpu {
-        Some(ns) if output.status.success() => Ok((wall, ns / 1e6)),
-        _ => Err(AppError::Usage(format!("`{line}` failed:\n{}", String::from_utf8_lossy(&output.stderr)))),
-    }
 }

@@ -14,7 +14,7 @@ mod timing;
 mod triangle;
 
 use crate::report::Section;
-use common::cli::{AppError, say};
+use common::cli::AppError;
 
 /// What to measure.
 #[derive(clap::Args)]
@@ -62,14 +62,6 @@ pub fn measure(options: &Options) -> Result<Section, AppError> {
         remarks: remarks.map(str::to_owned).to_vec(),
         figures: vec![sphere::figure(&tables)],
         tables,
+        ..Section::default()
     })
-}
-
-/// Measures and prints.
-///
-/// # Errors
-/// Those of [`measure`].
-pub fn run(options: &Options) -> Result<(), AppError> {
-    say(&measure(options)?.to_string());
-    Ok(())
 }

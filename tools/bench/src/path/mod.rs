@@ -7,8 +7,9 @@
 mod measure;
 mod reference;
 mod subject;
+mod table;
 
-use crate::sampling::statistics::Mean;
+use crate::report::Section;
 use a7_sampling::Pattern;
 use a8_path_tracing::{Integrator, Rules};
 use common::cli::{self, AppError};
@@ -68,19 +69,21 @@ pub struct Options {
     csv: Option<PathBuf>,
 }
 
-/// Measures and prints.
+/// Measures all scenes, writes the files that were asked for.
 ///
 /// # Errors
 /// A scene or a picture that cannot be read.
-pub fn run(options: &Options) -> Result<(), AppError> {
+pub fn measure(options: &Options) -> Result<Section, AppError> {
     if options.reference.is_some() && options.scene.len() != 1 {
         return Err(AppError::Usage("--reference belongs to one --scene".to_owned()));
     }
     let mut csv = "scene,integrator,sampler,spp,seed,cpu_s,rmse,relative_mse\n".to_owned();
+    let mut section = table::section();
     for scene in &options.scene {
-        measure_scene(options, scene, &mut csv)?;
+        measure_scene(options, scene, &mut csv, &mut section)?;
     }
-    options.csv.as_ref().map_or(Ok(()), |file| Ok(std::fs::write(file, csv)?))
+    options.csv.as_ref().map_or(Ok(()), |file| std::fs::write(file, csv))?;
+    Ok(section)
 }
 
 impl Options {
@@ -125,7 +128,12 @@ impl Options {
     }
 }
 
-fn measure_scene(options: &Options, scene: &Path, csv: &mut String) -> Result<(), AppError> {
+fn measure_scene(
+    options: &Options,
+    scene: &Path,
+    csv: &mut String,
+    section: &mut Section,
+) -> Result<(), AppError> {
     let truth = options.truth(scene)?;
     let subject = Subject::open(scene, truth.size(), &options.accel)?;
     let recipes = options.recipes();
@@ -145,35 +153,6 @@ fn measure_scene(options: &Options, scene: &Path, csv: &mut String) -> Result<()
     if let (Some(file), Some(film)) = (&options.write, last) {
         write(file, &film, Transfer::Linear)?;
     }
-    print(&subject.name, truth.size(), &recipes, &shots);
+    table::add(section, &subject.name, truth.size(), &recipes, &shots);
     Ok(())
-}
-
-fn print(name: &str, size: Size, recipes: &[Recipe], shots: &[Vec<Shot>]) {
-    cli::say(&format!(
-        "\n{name}, {size}, one thread; s = processor seconds; intervals of 95 % over the seeds\n\
-         integrator sampler    spp  Mpaths/s  rays/path      RMSE   relRMSE   RMSE*sqrt(s)       sqrt(relMSE*s)     mean off  worst block off"
-    ));
-    for (recipe, shots) in recipes.iter().zip(shots) {
-        let of = |value: fn(&Shot) -> f64| Mean::of(&shots.iter().map(value).collect::<Vec<_>>());
-        let paths = size.pixels() as f64 * f64::from(recipe.spp);
-        let interval = |mean: Mean| match mean.within.is_nan() {
-            true => format!("{:.4}", mean.value),
-            false => format!("{:.4} ± {:.4}", mean.value, mean.within),
-        };
-        cli::say(&format!(
-            "{:<10} {:<9} {:>5} {:>9.3} {:>10.2} {:>9.5} {:>9.4}   {:<18} {:<18} {:>7.2} % {:>11.2} %",
-            format!("{:?}", recipe.rules.integrator),
-            format!("{:?}", recipe.pattern),
-            recipe.spp,
-            paths / of(|s| s.seconds).value / 1e6,
-            of(|s| s.rays).value / paths,
-            of(|s| s.rmse).value,
-            of(|s| s.relative.sqrt()).value,
-            interval(of(|s| s.rmse * s.seconds.sqrt())),
-            interval(of(|s| (s.relative * s.seconds).sqrt())),
-            of(|s| s.mean_off).value * 100.0,
-            of(|s| s.block_off).value * 100.0,
-        ));
-    }
 }

@@ -16,9 +16,10 @@ mod verdict;
 
 pub use sets::{NAMES, RaySet, make};
 
+use crate::report::Section;
 use crate::truth::Tree;
 use crate::world::World;
-use common::cli::{AppError, note, say};
+use common::cli::{AppError, note};
 use contender::{Contender, Structure};
 use std::fs::File;
 use std::io::Write;
@@ -70,27 +71,23 @@ pub struct Options {
 ///
 /// # Errors
 /// If a mesh, ray set or structure is unknown or unreadable, or a file cannot be written.
-pub fn run(options: &Options) -> Result<(), AppError> {
+pub fn measure(options: &Options) -> Result<Section, AppError> {
     let structures = contender::chosen(&options.structures)?;
     let mut json = options.json.as_ref().map(File::create).transpose()?;
-    say("million rays per second of all threads together, by processor time: median (quartiles)");
-    if !cfg!(feature = "peers") {
-        say(
-            "the crates obvhs, parry3d and bvh are absent: `cargo run --release -p bench --features peers -- rays`",
-        );
-    }
+    let mut section = table::section();
     let count = if options.mesh.is_some() { 1 } else { options.meshes.len() };
     for i in 0..count {
         let (world, sets) = workload(options, i)?;
+        note(&format!("{}: {} triangles", world.name, world.triangles()));
         if let Some(folder) = &options.save {
             files::write_all(folder, &world, &sets)?;
         }
-        let lines = measure(options, &structures, &world, &sets)?;
+        let lines = on_mesh(options, &structures, &world, &sets, &mut section)?;
         if let Some(file) = &mut json {
             file.write_all((lines.join("\n") + "\n").as_bytes())?;
         }
     }
-    Ok(())
+    Ok(section)
 }
 
 /// A mesh and its ray sets with their truth.
@@ -112,40 +109,55 @@ fn workload(options: &Options, index: usize) -> Result<(World, Vec<RaySet>), App
     Ok((world, sets))
 }
 
-fn measure(
+/// Measures one mesh, adds to the section what was found, and returns it as JSON, too.
+fn on_mesh(
     options: &Options,
     structures: &[Structure],
     world: &World,
     sets: &[RaySet],
+    section: &mut Section,
 ) -> Result<Vec<String>, AppError> {
     let built = timing::build(world, structures, options.rounds)?;
-    let rows: Vec<_> =
+    let builds: Vec<_> =
         structures.iter().zip(&built).map(|(s, (c, cost))| (s.name, cost, c.bytes())).collect();
-    table::print_builds(world, &rows);
+    section.tables.push(table::of_builds(world, &builds));
     let mut lines: Vec<String> =
-        rows.iter().map(|(name, cost, bytes)| table::build_json(world, name, cost, *bytes)).collect();
+        builds.iter().map(|(name, cost, bytes)| table::build_json(world, name, cost, *bytes)).collect();
     let contenders: Vec<&dyn Contender> = built.iter().map(|(c, _)| &**c).collect();
     let questions: Vec<Question> = options
         .threads
         .iter()
         .flat_map(|&threads| [false, true].map(|any| Question { any, threads }))
         .collect();
+    let mut rates = Vec::new();
     for set in sets.iter().filter(|s| !s.rays.is_empty()) {
-        let rates = timing::ask(&contenders, set, &questions, (options.timed.max(1), options.rounds.max(1)));
-        let mut rows = Vec::new();
-        for ((structure, contender), rates) in structures.iter().zip(&contenders).zip(&rates) {
-            let verdict = verdict::judge(world, set, *contender);
-            rows.push(Row { name: structure.name, rates, verdict });
-        }
-        table::print_rows(&set.name, &questions, &rows);
-        rows.iter().for_each(|row| print_cases(set, row));
+        let judged: Vec<_> = contenders.iter().map(|c| verdict::judge(world, set, *c)).collect();
+        let asked = timing::ask(&contenders, set, &questions, (options.timed.max(1), options.rounds.max(1)));
+        let rows: Vec<Row> = (structures.iter().zip(&asked).zip(judged))
+            .map(|((s, rates), verdict)| Row { name: s.name, rates, verdict })
+            .collect();
+        section.tables.push(table::of_answers(world, &set.name, &questions, &rows));
+        rows.iter().for_each(|row| tell_cases(set, row));
+        section.faults.extend(rows.iter().filter_map(|row| fault(world, set, row)));
         lines.extend(rows.iter().map(|row| table::row_json(world, &set.name, &questions, row)));
+        rates.push(asked);
     }
+    let first = sets.iter().find(|s| !s.rays.is_empty()).map_or("", |s| &s.name);
+    section.headline.extend(table::headline(world, first, &builds, &rates));
+    section.figures.extend(table::figure(world, &builds, &rates));
     Ok(lines)
 }
 
+/// Ours must never be wrong. Others may, in single precision.
+fn fault(world: &World, set: &RaySet, row: &Row) -> Option<String> {
+    let wrong = row.verdict.wrong();
+    let ours = ours::all().iter().any(|s| s.name == row.name);
+    (ours && wrong > 0)
+        .then(|| format!("{}, {}: {} answers {wrong} rays wrongly", world.name, set.name, row.name))
+}
+
 /// The first wrong answer of each kind, so that it can be looked into.
-fn print_cases(set: &RaySet, row: &Row) {
+fn tell_cases(set: &RaySet, row: &Row) {
     for (kind, place, truth, answer) in &row.verdict.cases {
         let ray = &set.rays[*place];
         note(&format!(

@@ -1,10 +1,10 @@
-//! What was measured, as tables for people and as JSON lines for programs.
+//! What was measured, as tables and a figure for people and as JSON lines for programs.
 
 use super::timing::{Build, Question, Rate};
 use super::verdict::Verdict;
+use crate::report::{Better, Cell, Curve, Figure, Section, Table};
 use crate::sample::Sample;
 use crate::world::World;
-use common::cli::say;
 use std::fmt::Write;
 
 /// One structure's figures for one set.
@@ -17,52 +17,92 @@ pub struct Row<'a> {
     pub verdict: Verdict,
 }
 
-/// Prints what building cost.
-pub fn print_builds(world: &World, builds: &[(&str, &Build, Option<usize>)]) {
-    say(&format!("\n{}: {} triangles", world.name, world.triangles()));
-    say(&format!(
-        "{:<12} {:>25} {:>25} {:>10}",
-        "build", "wall ms (quartiles)", "CPU ms (quartiles)", "bytes/tri"
-    ));
+/// A structure's name, what building it cost, and its bytes.
+pub type Built<'a> = (&'a str, &'a Build, Option<usize>);
+
+/// The section before anything was measured.
+pub fn section() -> Section {
+    let mut remarks = vec![
+        "million rays per second of all threads together, by processor time: median (quartiles)".to_owned(),
+        "error: how far t is off, relative to it: median, 99.9 %, worst".to_owned(),
+    ];
+    if !cfg!(feature = "peers") {
+        remarks.push(
+            "the crates obvhs, parry3d and bvh are absent: `cargo run --release -p bench --features peers -- rays`"
+                .to_owned(),
+        );
+    }
+    let title = "Rays per second of every structure, and what is wrong with its answers".to_owned();
+    Section { part: "rays", title, remarks, ..Section::default() }
+}
+
+/// What building cost.
+pub fn of_builds(world: &World, builds: &[Built]) -> Table {
+    let columns = [
+        ("build, wall ms", Better::Less),
+        ("build, processor ms", Better::Less),
+        ("bytes per triangle", Better::Less),
+    ];
+    let title = format!("{}, {} triangles: building", world.name, world.triangles());
+    let mut table = Table::of_rivals(title, "structure", &columns);
     for (name, cost, bytes) in builds {
-        let per = bytes.map_or("-".to_owned(), |b| format!("{:.1}", b as f64 / world.triangles() as f64));
-        say(&format!("{name:<12} {:>25} {:>25} {per:>10}", spread(&cost.wall), spread(&cost.cpu)));
+        let per = bytes.map(|b| b as f64 / world.triangles() as f64);
+        table.row(*name, [Cell::from(&cost.wall), Cell::from(&cost.cpu), Cell::from(per)]);
     }
+    table
 }
 
-/// The median with its quartiles; small ones with more decimals.
-fn spread(s: &Sample) -> String {
-    let (median, low, high) = (s.median(), s.quantile(0.25), s.quantile(0.75));
-    let decimals = if median < 0.2 { 4 } else { 2 };
-    format!("{median:.decimals$} ({low:.decimals$}-{high:.decimals$})")
-}
-
-/// Prints what asking cost, and what was wrong.
-pub fn print_rows(set: &str, questions: &[Question], rows: &[Row]) {
-    let mut head = format!("{set:<12}");
-    for q in questions {
-        let what = format!("{} x{}", if q.any { "any" } else { "nearest" }, q.threads);
-        let _ = write!(head, " {what:>22}");
-    }
-    say(&format!("{head} {:>7} {:>7} {:>7} {:>7}   relative error of t", "missed", "false", "wrong", "any"));
-    let all = rows.iter().map(|row| row.verdict.asked).max().unwrap_or(0);
+/// What asking cost, and what was wrong.
+pub fn of_answers(world: &World, set: &str, questions: &[Question], rows: &[Row]) -> Table {
+    let names: Vec<String> = questions
+        .iter()
+        .map(|q| format!("{} x{}, Mrays/s", if q.any { "any" } else { "nearest" }, q.threads))
+        .collect();
+    let rates = names.iter().map(|name| (name.as_str(), Better::More));
+    let wrongs = ["missed", "false", "wrong", "any wrong", "error 50 %", "error 99.9 %", "error 100 %"];
+    let columns: Vec<_> = rates
+        .chain(wrongs.map(|name| (name, Better::Less)))
+        .chain([("rays timed", Better::Neither), ("rays judged", Better::Neither)])
+        .collect();
+    let mut table = Table::of_rivals(format!("{}: {set} rays", world.name), "structure", &columns);
     for row in rows {
-        let mut line = format!("{:<12}", row.name);
-        for rate in row.rates {
-            let _ = write!(line, " {:>22}", spread(&rate.mrays));
-        }
         let v = &row.verdict;
-        let [half, most, worst] = [0.5, 0.999, 1.0].map(|q| v.error.quantile(q));
-        let _ = write!(line, " {:>7} {:>7} {:>7} {:>7}", v.missed, v.false_hits, v.wrong, v.any_wrong);
-        let _ = write!(line, "   {half:.1e} {most:.1e} {worst:.1e}");
-        say(&(line + &remark(row, all)));
+        let wrongs = [v.missed, v.false_hits, v.wrong, v.any_wrong].map(Cell::from);
+        let errors = [0.5, 0.999, 1.0].map(|q| Cell::from(v.error.quantile(q)));
+        let timed = row.rates.first().map_or(0, |r| r.rays);
+        let rates = row.rates.iter().map(|rate| Cell::from(&rate.mrays));
+        table
+            .row(row.name, rates.chain(wrongs).chain(errors).chain([Cell::from(timed), Cell::from(v.asked)]));
     }
+    table
 }
 
-/// What must be known to read a row: that it is an estimate from a part of the rays.
-fn remark(row: &Row, all: usize) -> String {
-    let (timed, judged) = (row.rates.first().map_or(0, |r| r.rays), row.verdict.asked);
-    if judged == all { String::new() } else { format!("   (estimated from {timed} rays, {judged} judged)") }
+/// The house's best structure and its rate for the first set of rays, which has that name.
+pub fn headline(
+    world: &World,
+    set: &str,
+    builds: &[Built],
+    rates: &[Vec<Vec<Rate>>],
+) -> Option<(String, Cell)> {
+    let place = builds.iter().position(|(name, ..)| *name == "bvh")?;
+    let rate = rates.first()?.get(place)?.first()?;
+    Some((format!("bvh, {}, {set} rays, nearest hit, Mrays/s", world.name), Cell::from(&rate.mrays)))
+}
+
+/// Build time against rate, with what nothing beats. The rate is the first question's for a mix of
+/// all sets with as many rays of each.
+pub fn figure(world: &World, builds: &[Built], rates: &[Vec<Vec<Rate>>]) -> Option<Figure> {
+    let mixed = |structure: usize| {
+        let times = rates.iter().map(|set| 1.0 / set[structure].first().map_or(0.0, |r| r.mrays.median()));
+        rates.len() as f64 / times.sum::<f64>()
+    };
+    let point = |(i, (name, cost, _)): (usize, &Built)| Curve::new(*name, [(cost.cpu.median(), mixed(i))]);
+    let curves: Vec<Curve> = builds.iter().enumerate().map(point).collect();
+    let title = format!("{}: building against asking", world.name);
+    (!rates.is_empty()).then(|| {
+        Figure::new(title, "build, processor ms", "Mrays/s, nearest hit, all kinds of rays", curves)
+            .with_front(Better::More)
+    })
 }
 
 /// One JSON object: what building cost.
@@ -128,5 +168,20 @@ mod tests {
         let text = build_json(&world, "list", &Build::default(), None);
         assert!(text.ends_with("\"bytes\":null}"), "{text}");
         assert_eq!(text.matches('{').count(), text.matches('}').count());
+    }
+
+    #[test]
+    fn the_figure_holds_the_mean_of_all_kinds_of_rays() {
+        let world = World::named("sphere100").unwrap();
+        let rate = |x: f64| vec![Rate { mrays: [x].into_iter().collect(), rays: 1 }];
+        let build = |ms: f64| Build { wall: Sample::default(), cpu: [ms].into_iter().collect() };
+        let (slow, quick) = (build(4.0), build(2.0));
+        let builds = [("bvh", &slow, None), ("list", &quick, Some(3))];
+        let rates = [vec![rate(3.0), rate(1.0)], vec![rate(6.0), rate(1.0)]];
+        let figure = figure(&world, &builds, &rates).unwrap();
+        assert_eq!(figure.curves[0].points, [(4.0, 4.0)]);
+        assert_eq!(figure.front.len(), 2, "one is quick to build, the other to ask");
+        assert_eq!(headline(&world, "primary", &builds, &rates).unwrap().1.value(), Some(3.0));
+        assert!(super::figure(&world, &builds, &[]).is_none());
     }
 }

@@ -67,6 +67,11 @@ pub fn judge(world: &World, set: &RaySet, contender: &dyn Contender) -> Verdict 
 }
 
 impl Verdict {
+    /// Wrong answers of all kinds.
+    pub fn wrong(&self) -> usize {
+        self.missed + self.false_hits + self.wrong + self.any_wrong
+    }
+
     fn note(&mut self, world: &World, ray: &Ray, place: usize, truth: Truth, answer: Answer) {
         let kind = kind(world, ray, truth, answer);
         match kind {

@@ -13,7 +13,7 @@ pub enum Better {
     Neither,
 }
 
-/// A figure that moves from run to run: the middle and how far it moved.
+/// A middle, and how far around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// The middle.
@@ -35,14 +35,22 @@ pub enum Cell {
     Count(u64),
     /// A figure that is the same in every run of the same program.
     Exact(f64),
-    /// A figure that is not.
+    /// A time or a rate: it moves from run to run, and with the machine.
     Measured(Measured),
+    /// The same in every run of the same program, and no nearer to the truth than its interval.
+    Estimate(Measured),
+    /// Made of other figures, times among them, such as the ratio of two: shown, but not compared.
+    Derived(Measured),
+}
+
+fn quartiles(sample: &Sample) -> Option<Measured> {
+    let [low, median, high] = [0.25, 0.5, 0.75].map(|q| sample.quantile(q));
+    (!median.is_nan()).then_some(Measured { median, low, high })
 }
 
 impl From<&Sample> for Cell {
     fn from(sample: &Sample) -> Self {
-        let [low, median, high] = [0.25, 0.5, 0.75].map(|q| sample.quantile(q));
-        if median.is_nan() { Self::None } else { Self::Measured(Measured { median, low, high }) }
+        quartiles(sample).map_or(Self::None, Self::Measured)
     }
 }
 
@@ -76,13 +84,40 @@ impl From<String> for Cell {
     }
 }
 
+impl<T: Into<Self>> From<Option<T>> for Cell {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Self::None, Into::into)
+    }
+}
+
 impl Cell {
+    /// A figure made of others, without an interval of its own; none if it is NaN.
+    pub fn derived(value: f64) -> Self {
+        match value.is_nan() {
+            true => Self::None,
+            false => Self::Derived(Measured { median: value, low: value, high: value }),
+        }
+    }
+
+    /// A figure made of others, with its quartiles.
+    pub fn derived_from(sample: &Sample) -> Self {
+        quartiles(sample).map_or(Self::None, Self::Derived)
+    }
+
+    /// A mean and half the width of its interval; exact if that is NaN.
+    pub fn estimate(value: f64, within: f64) -> Self {
+        match within.is_nan() {
+            true => Self::from(value),
+            false => Self::Estimate(Measured { median: value, low: value - within, high: value + within }),
+        }
+    }
+
     /// The one figure to plot or compare, if there is one.
     pub fn value(&self) -> Option<f64> {
         match self {
             Self::Count(count) => Some(*count as f64),
             Self::Exact(value) => Some(*value),
-            Self::Measured(m) => Some(m.median),
+            Self::Measured(m) | Self::Estimate(m) | Self::Derived(m) => Some(m.median),
             Self::None | Self::Text(_) => None,
         }
     }

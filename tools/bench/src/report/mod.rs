@@ -2,11 +2,19 @@
 //! section of the page.
 
 mod cell;
+pub mod csv;
+mod figure;
+mod front;
+mod plot;
+mod table;
 mod text;
 
 pub use cell::{Better, Cell, Measured};
+pub use figure::{Curve, Figure, Upward};
+pub use front::front;
+pub use table::{Row, Table};
 
-use crate::growth::plot::{Curve, Upward};
+use common::cli::AppError;
 
 /// All that one part found.
 #[derive(Clone, Debug, Default)]
@@ -17,72 +25,30 @@ pub struct Section {
     pub title: String,
     /// What must be known to read the figures.
     pub remarks: Vec<String>,
+    /// The few figures that the head of the page shows, each with what it is and its unit.
+    pub headline: Vec<(String, Cell)>,
     /// In the order in which they are to be read.
     pub tables: Vec<Table>,
     /// In the order in which they are to be looked at.
     pub figures: Vec<Figure>,
+    /// Results that are wrong, one in a line: they fail the run, after all else was measured.
+    pub faults: Vec<String>,
 }
 
-/// Rows of equal kind.
-#[derive(Clone, Debug, Default)]
-pub struct Table {
-    /// Short and unlike that of any other table of the part: figures of two runs are matched by it.
-    pub title: String,
-    /// The first one is that of the rows' labels.
-    pub columns: Vec<Column>,
-    /// Each with as many cells as there are columns after the first.
-    pub rows: Vec<Row>,
-}
-
-/// What stands below each other.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Column {
-    /// With the unit, if there is one.
-    pub name: String,
-    /// Which way is progress.
-    pub better: Better,
-}
-
-/// What stands beside each other.
-#[derive(Clone, Debug)]
-pub struct Row {
-    /// Unlike that of any other row of the table.
-    pub label: String,
-    /// One for each column after the first.
-    pub cells: Vec<Cell>,
-}
-
-/// Curves in one picture.
-#[derive(Clone, Debug)]
-pub struct Figure {
-    /// Above it.
-    pub title: String,
-    /// What is across, which is logarithmic.
-    pub across: String,
-    /// What is up.
-    pub up: String,
-    /// How far up is how much.
-    pub upward: Upward,
-    /// Curves.
-    pub curves: Vec<Curve>,
-}
-
-impl Table {
-    /// A table without rows; the columns are given as name and direction, the first as a name.
-    pub fn new(title: impl Into<String>, labels: &str, columns: &[(&str, Better)]) -> Self {
-        let first = Column { name: labels.to_owned(), better: Better::Neither };
-        let rest = columns.iter().map(|&(name, better)| Column { name: name.to_owned(), better });
-        Self { title: title.into(), columns: std::iter::once(first).chain(rest).collect(), rows: Vec::new() }
+impl Section {
+    /// Whether all results are right.
+    ///
+    /// # Errors
+    /// [`AppError::CheckFailed`] with all faults.
+    pub fn verdict(&self) -> Result<(), AppError> {
+        let wrong = || AppError::CheckFailed(self.faults.join("\n"));
+        if self.faults.is_empty() { Ok(()) } else { Err(wrong()) }
     }
 
-    /// Adds a row.
-    ///
-    /// # Panics
-    /// If it has not one cell for each column after the first, or a label that is there already.
-    pub fn row(&mut self, label: impl Into<String>, cells: impl IntoIterator<Item = Cell>) {
-        let row = Row { label: label.into(), cells: cells.into_iter().collect() };
-        assert_eq!(row.cells.len() + 1, self.columns.len(), "{}: {row:?}", self.title);
-        assert!(self.rows.iter().all(|r| r.label != row.label), "{}: {} twice", self.title, row.label);
-        self.rows.push(row);
+    /// The table of a title.
+    #[cfg(test)]
+    pub fn table(&self, title: &str) -> &Table {
+        let found = self.tables.iter().find(|t| t.title == title);
+        found.unwrap_or_else(|| panic!("{} has no table {title}", self.part))
     }
 }

@@ -4,11 +4,11 @@ use super::Effort;
 use super::csv::Csv;
 use super::measure::{Outcome, Recipe, truth};
 use super::scene::Lit;
-use super::statistics::{Mean, price_at};
-use crate::growth::plot::{self, Curve, Upward};
+use crate::report::{Better, Cell, Curve, Figure, Table};
+use crate::sample::Sample;
+use crate::statistics::{Mean, price_at};
 use a7_sampling::sampler::Pattern;
-use common::cli::{AppError, say};
-use std::path::PathBuf;
+use common::cli::AppError;
 
 /// The errors asked for.
 const ERRORS: [f64; 4] = [0.04, 0.02, 0.01, 0.005];
@@ -16,22 +16,23 @@ const ERRORS: [f64; 4] = [0.04, 0.02, 0.01, 0.005];
 /// A recipe with what came of it, seed after seed.
 type Measured = (Recipe, Vec<Outcome>);
 
-/// The table's head.
-pub fn print_head() {
-    say(
-        "\nadaptive against as many samples for all (Sobol, no filter), at equal RMSE: mean over the seeds with 95 % interval",
-    );
-    say(&format!(
-        "{:<30} {:>7} {:>9} {:>8} {:>9} {:>17} {:>17}",
-        "", "asked", "RMSE", "samples", "CPU ms", "time ratio", "sample ratio"
-    ));
+/// The table before anything was measured.
+pub fn table() -> Table {
+    let columns = [
+        ("RMSE", Better::Less),
+        ("samples", Better::Less),
+        ("processor ms", Better::Less),
+        ("time ratio", Better::Less),
+        ("sample ratio", Better::Less),
+    ];
+    Table::new("adaptive against as many samples for all, at equal RMSE", "scene, error asked for", &columns)
 }
 
-/// Measures one scene and prints its lines.
+/// Measures one scene: adds rows to the table, returns the curves.
 ///
 /// # Errors
-/// If the clock cannot be read, or a file cannot be written.
-pub fn compare(lit: &Lit, effort: &Effort, csv: &mut Csv, svg: Option<&PathBuf>) -> Result<(), AppError> {
+/// If the clock cannot be read.
+pub fn compare(lit: &Lit, effort: &Effort, csv: &mut Csv, table: &mut Table) -> Result<Figure, AppError> {
     let truth = truth(lit, None, effort.truth)?;
     let recipe = |samples, error| Recipe { pattern: Pattern::Sobol, kernel: None, samples, error };
     let uniform = (1..).map(|k| 1u32 << k).take_while(|n| *n <= effort.most);
@@ -45,15 +46,13 @@ pub fn compare(lit: &Lit, effort: &Effort, csv: &mut Csv, svg: Option<&PathBuf>)
             outcomes.push(outcome);
         }
     }
-    adaptive.iter().for_each(|measured| print_line(lit, &uniform, measured));
-    let Some(file) = svg else { return Ok(()) };
+    adaptive.iter().for_each(|measured| add_row(table, lit, &uniform, measured));
     let curve = |name: &str, all: &[Measured]| {
-        let points = all.iter().map(|(_, o)| (mean(o, |o| o.cpu), mean(o, |o| o.rmse))).collect();
-        Curve { name: name.to_owned(), points }
+        Curve::new(name, all.iter().map(|(_, o)| (mean(o, |o| o.cpu), mean(o, |o| o.rmse))))
     };
-    let curves = [curve("as many for all", &uniform), curve("adaptive", &adaptive)];
-    let title = format!("Error of pictures of \"{}\"", lit.name());
-    plot::draw(file, [&title, "ms of processor time", "RMSE"], Upward::Logarithmic, &curves)
+    let curves = vec![curve("as many for all", &uniform), curve("adaptive", &adaptive)];
+    let title = format!("Adaptive sampling of \"{}\"", lit.name());
+    Ok(Figure::new(title, "ms of processor time", "RMSE", curves).with_front(Better::Less))
 }
 
 fn mean(outcomes: &[Outcome], of: impl Fn(&Outcome) -> f64) -> f64 {
@@ -70,22 +69,19 @@ fn ratios(uniform: &[Measured], adaptive: &[Outcome], price: impl Fn(&Outcome) -
     adaptive.iter().enumerate().filter_map(ratio).collect()
 }
 
-fn print_line(lit: &Lit, uniform: &[Measured], (recipe, outcomes): &Measured) {
-    let ratio = |price: fn(&Outcome) -> f64| {
-        let ratios = ratios(uniform, outcomes, price);
-        if ratios.is_empty() {
-            return "out of range".to_owned();
-        }
-        let mean = Mean::of(&ratios);
-        format!("{:.3} ± {:.3}", mean.value, mean.within)
-    };
-    let (rmse, samples) = (mean(outcomes, |o| o.rmse), mean(outcomes, |o| o.mean));
-    say(&format!(
-        "{:<30} {:>7} {rmse:>9.5} {samples:>8.2} {:>9.1} {:>17} {:>17}",
-        lit.name(),
-        recipe.error.unwrap_or(f64::NAN),
-        mean(outcomes, |o| o.cpu),
-        ratio(|o| o.cpu),
-        ratio(|o| o.mean),
-    ));
+fn add_row(table: &mut Table, lit: &Lit, uniform: &[Measured], (recipe, outcomes): &Measured) {
+    let of = |value: fn(&Outcome) -> f64| Mean::of(&outcomes.iter().map(value).collect::<Vec<_>>()).cell(1.0);
+    let ratio = |price: fn(&Outcome) -> f64| ratios(uniform, outcomes, price);
+    let cpu: Sample = outcomes.iter().map(|o| o.cpu).collect();
+    let samples = ratio(|o| o.mean);
+    // The mean of no seed at all would be NaN.
+    let samples = if samples.is_empty() { Cell::None } else { Mean::of(&samples).cell(1.0) };
+    let cells = [
+        of(|o| o.rmse),
+        of(|o| o.mean),
+        Cell::from(&cpu),
+        Cell::derived_from(&ratio(|o| o.cpu).into_iter().collect()),
+        samples,
+    ];
+    table.row(format!("{}, {}", lit.name(), recipe.error.unwrap_or(f64::NAN)), cells);
 }

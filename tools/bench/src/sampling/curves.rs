@@ -3,15 +3,14 @@
 use super::csv::Csv;
 use super::measure::{Outcome, Recipe, truth};
 use super::scene::Lit;
-use super::statistics::{Mean, price_at, slope};
 use super::{Effort, kernels};
-use crate::growth::plot::{self, Curve, Upward};
+use crate::report::{Better, Cell, Curve, Figure, Section, Table};
 use crate::sample::Sample;
+use crate::statistics::{Mean, price_at, slope};
 use a7_sampling::Kernel;
 use a7_sampling::sampler::Pattern;
-use common::cli::{AppError, say};
+use common::cli::AppError;
 use common::picture::Film;
-use std::path::PathBuf;
 
 /// Samples from which on slopes are fitted: fewer are not yet a pattern.
 const FROM: u32 = 4;
@@ -51,16 +50,20 @@ impl Series {
         Mean::of(&self.outcomes[count].iter().map(|o| o.rmse).collect::<Vec<_>>())
     }
 
-    /// Median milliseconds of processor time.
-    fn cpu(&self, count: usize) -> f64 {
-        let mut cpu = Sample::default();
-        self.outcomes[count].iter().for_each(|o| cpu.add(o.cpu));
-        cpu.median()
+    /// Milliseconds of processor time.
+    fn cpu(&self, count: usize) -> Sample {
+        self.outcomes[count].iter().map(|o| o.cpu).collect()
+    }
+
+    /// (milliseconds, error) for every number of samples.
+    fn curve(&self) -> Curve {
+        let point = |i| (self.cpu(i).median(), self.mean(i).value);
+        Curve::new(&self.name, (0..self.outcomes.len()).map(point))
     }
 
     /// Milliseconds of processor time until the error is `rmse`, if it ever is.
     fn time_until(&self, rmse: f64) -> Option<f64> {
-        let curve: Vec<_> = (0..self.outcomes.len()).map(|i| (self.mean(i).value, self.cpu(i))).collect();
+        let curve: Vec<_> = self.curve().points.into_iter().map(|(ms, rmse)| (rmse, ms)).collect();
         price_at(&curve, rmse)
     }
 }
@@ -70,37 +73,48 @@ fn counts(most: u32) -> Vec<u32> {
     (0..).map(|k| 4u32.pow(k)).take_while(|n| *n <= most).collect()
 }
 
-/// All patterns without a filter.
+/// All patterns without a filter: a table, error against samples, error against time.
 ///
 /// # Errors
-/// If the clock cannot be read, or the plot cannot be written.
+/// If the clock cannot be read.
 pub fn compare_patterns(
     lit: &Lit,
     effort: &Effort,
     csv: &mut Csv,
-    svg: Option<&PathBuf>,
+    section: &mut Section,
 ) -> Result<(), AppError> {
     let truth = truth(lit, None, effort.truth)?;
     let series = PATTERNS.map(|p| Series::new(format!("{p:?}"), p, "none", None));
     let mut series: Vec<(Series, &Film)> = series.into_iter().map(|s| (s, &truth)).collect();
     let counts = counts(effort.most);
     measure(lit, effort, &counts, &mut series, csv)?;
-    print("patterns, no filter", lit, effort, &counts, &series);
-    let Some(file) = svg else { return Ok(()) };
+    section.tables.push(table("patterns, no filter", lit, effort, &counts, &series));
     let curve = |s: &Series| {
-        let points = counts.iter().enumerate().map(|(i, n)| (f64::from(*n), s.mean(i).value)).collect();
-        Curve { name: s.name.clone(), points }
+        Curve::new(&s.name, counts.iter().enumerate().map(|(i, n)| (f64::from(*n), s.mean(i).value)))
     };
     let curves: Vec<Curve> = series.iter().map(|(s, _)| curve(s)).collect();
     let title = format!("Error of pictures of \"{}\"", lit.name());
-    plot::draw(file, [&title, "samples per pixel", "RMSE"], Upward::Logarithmic, &curves)
+    section.figures.push(Figure::new(title, "samples per pixel", "RMSE", curves));
+    section.figures.push(against_time("patterns", lit, &series));
+    Ok(())
+}
+
+fn against_time(what: &str, lit: &Lit, series: &[(Series, &Film)]) -> Figure {
+    let curves = series.iter().map(|(s, _)| s.curve()).collect();
+    let title = format!("Error against time, {what}, \"{}\"", lit.name());
+    Figure::new(title, "ms of processor time", "RMSE", curves).with_front(Better::Less)
 }
 
 /// All filters, with independent samples and with Sobol's.
 ///
 /// # Errors
 /// If the clock cannot be read.
-pub fn compare_filters(lit: &Lit, effort: &Effort, csv: &mut Csv) -> Result<(), AppError> {
+pub fn compare_filters(
+    lit: &Lit,
+    effort: &Effort,
+    csv: &mut Csv,
+    section: &mut Section,
+) -> Result<(), AppError> {
     let kernels = kernels()?;
     let truths = kernels.iter().map(|(_, kernel)| truth(lit, *kernel, effort.truth));
     let truths = truths.collect::<Result<Vec<_>, _>>()?;
@@ -112,7 +126,8 @@ pub fn compare_filters(lit: &Lit, effort: &Effort, csv: &mut Csv) -> Result<(), 
     }
     let counts = counts(effort.most);
     measure(lit, effort, &counts, &mut series, csv)?;
-    print("filters", lit, effort, &counts, &series);
+    section.tables.push(table("filters", lit, effort, &counts, &series));
+    section.figures.push(against_time("filters", lit, &series));
     Ok(())
 }
 
@@ -137,33 +152,25 @@ fn measure(
     Ok(())
 }
 
-fn print(what: &str, lit: &Lit, effort: &Effort, counts: &[u32], series: &[(Series, &Film)]) {
-    let heads: Vec<String> = counts.iter().map(|n| format!("{:>17}", format!("{n} samples"))).collect();
-    say(&format!(
-        "\n{}: {what}; RMSE in thousandths with 95 % intervals of {} seeds, {};\nslope from {FROM} samples on; time until the last error of the first row, over the time that takes",
-        lit.name(),
-        effort.seeds,
-        lit.size(),
-    ));
-    say(&format!("{:<28}{}   {:<16} {:>12} {:>10}", "", heads.join(""), "slope", "us a sample", "time"));
+fn table(what: &str, lit: &Lit, effort: &Effort, counts: &[u32], series: &[(Series, &Film)]) -> Table {
+    let heads: Vec<String> = counts.iter().map(|n| format!("{n} samples")).collect();
+    let columns: Vec<_> = (heads.iter().map(String::as_str))
+        .chain(["slope", "us a sample", "time to the first row's error"])
+        .map(|name| (name, Better::Less))
+        .collect();
+    let mut table = Table::of_rivals(format!("{}: {what}, {}", lit.name(), lit.size()), "", &columns);
     let last = counts.len() - 1;
     let samples = f64::from(counts[last]) * lit.size().pixels() as f64;
     // What independent samples, the first row, take to get as far as they get.
-    let (rmse, longest) = (series[0].0.mean(last).value, series[0].0.cpu(last));
+    let (rmse, longest) = (series[0].0.mean(last).value, series[0].0.cpu(last).median());
     for (s, _) in series {
-        let cells: Vec<String> = (0..counts.len())
-            .map(|i| {
-                let mean = s.mean(i);
-                format!("{:>17}", format!("{:.3} ± {:.3}", 1e3 * mean.value, 1e3 * mean.within))
-            })
-            .collect();
         let seeds: Vec<_> = (0..effort.seeds as usize).map(|seed| s.fitted(counts, seed)).collect();
-        let slope = slope(&seeds);
-        let price = s.cpu(last) * 1e3 / samples;
-        let time = s.time_until(rmse).map_or("-".to_owned(), |time| format!("{:.3}", time / longest));
-        let slope = format!("{:.3} ± {:.3}", slope.value, slope.within);
-        say(&format!("{:<28}{}   {slope:<16} {price:>12.3} {time:>10}", s.name, cells.join("")));
+        let price = s.cpu(last).map(|ms| ms * 1e3 / samples);
+        let time = s.time_until(rmse).map_or(Cell::None, |time| Cell::derived(time / longest));
+        let errors = (0..counts.len()).map(|i| s.mean(i).cell(1e3));
+        table.row(&s.name, errors.chain([slope(&seeds).cell(1.0), Cell::from(&price), time]));
     }
+    table
 }
 
 #[cfg(test)]

@@ -9,14 +9,16 @@ mod contender;
 mod part;
 #[cfg(feature = "peers")]
 mod peers;
+mod sizes;
 mod table;
 mod verdict;
 
 use crate::clock;
+use crate::report::Section;
 use crate::sample::Sample;
 use crate::world::mesh_named;
 use a9_simplification::measure::{Comparison, Original, SAMPLES};
-use common::cli::{AppError, say};
+use common::cli::{AppError, note};
 use common::mesh::Mesh;
 use contender::Contender;
 use std::fs;
@@ -48,6 +50,10 @@ pub struct Options {
     /// Points of either surface at which distances are measured, besides vertices and edges
     #[arg(long, default_value_t = SAMPLES)]
     samples: usize,
+    /// Meshes of growing size of which only the time is measured; '' for none
+    #[arg(long, value_delimiter = ',')]
+    #[arg(default_values_t = ["sphere4k", "sphere16k", "sphere64k", "sphere256k"].map(str::to_owned))]
+    sizes: Vec<String>,
     /// Writes all figures, a row for each result
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
@@ -69,39 +75,68 @@ pub struct Row {
     pub faults: Vec<String>,
 }
 
-/// Measures every mesh, one after the other.
+/// Measures every mesh, one after the other. Broken promises of ours are the section's faults.
 ///
 /// # Errors
-/// If a mesh or method is unknown, a file cannot be written, or one of our results breaks a
-/// promise.
-pub fn run(options: &Options) -> Result<(), AppError> {
+/// If a mesh or method is unknown, or a file cannot be written.
+pub fn measure(options: &Options) -> Result<Section, AppError> {
     let contenders = contender::chosen(&options.methods)?;
-    if !cfg!(feature = "peers") {
-        say("the crate meshopt is absent: `cargo run --release -p bench --features peers -- simplify`");
-    }
-    say("processor time in ms: median (quartiles); distances in 1/10,000 of the diagonal");
     let full = options.full.then(|| "gyroid1m".to_owned());
     let files = options.mesh.iter().map(|file| file.display().to_string());
     let mut lines = vec![table::CSV_HEAD.to_owned()];
-    let mut broken = Vec::new();
+    let mut section = begun();
     for name in options.meshes.iter().cloned().chain(full).chain(files) {
-        let mesh = made(&name)?;
-        let original = Original::new(&mesh);
-        say(&format!("\n{name}: {} triangles", mesh.triangles.len()));
-        for &ratio in &options.ratios {
-            let rows = measure(options, &contenders, &mesh, &original, ratio)?;
-            table::print(ratio, &rows);
-            lines.extend(table::csv(&name, mesh.triangles.len(), ratio, &rows));
-            let ours = rows.iter().filter(|row| contender::is_ours(row.name) && !row.faults.is_empty());
-            broken.extend(
-                ours.map(|row| format!("{name} to {ratio} by {}: {}", row.name, row.faults.join("; "))),
-            );
-        }
+        on_mesh(options, &contenders, &name, &mut section, &mut lines)?;
     }
+    sizes::measure(options, &contenders, &mut section)?;
     if let Some(file) = &options.csv {
         fs::write(file, lines.join("\n") + "\n")?;
     }
-    if broken.is_empty() { Ok(()) } else { Err(AppError::CheckFailed(broken.join("\n"))) }
+    Ok(section)
+}
+
+fn begun() -> Section {
+    let mut remarks = vec![
+        "processor time: median (quartiles); distances in 1/10,000 of the diagonal; *: nothing whole beats it in time and distance"
+            .to_owned(),
+        "shape: mean quality of faces; against: faces that look against the nearest of the original".to_owned(),
+    ];
+    if !cfg!(feature = "peers") {
+        remarks.push(
+            "the crate meshopt is absent: `cargo run --release -p bench --features peers -- simplify`"
+                .to_owned(),
+        );
+    }
+    let title = "Simplification: processor time against two-sided distance".to_owned();
+    Section { part: "simplify", title, remarks, ..Section::default() }
+}
+
+/// Measures one mesh: tables, a figure, faults, and lines of CSV.
+fn on_mesh(
+    options: &Options,
+    contenders: &[Contender],
+    name: &str,
+    section: &mut Section,
+    lines: &mut Vec<String>,
+) -> Result<(), AppError> {
+    let mesh = made(name)?;
+    let (original, triangles) = (Original::new(&mesh), mesh.triangles.len());
+    note(&format!("{name}: {triangles} triangles"));
+    let mut ratios = Vec::new();
+    for &ratio in &options.ratios {
+        let rows = with_ratio(options, contenders, &mesh, &original, ratio)?;
+        section.tables.push(table::of_ratio(name, triangles, ratio, &rows));
+        lines.extend(table::csv(name, triangles, ratio, &rows));
+        let ours = rows.iter().filter(|row| contender::is_ours(row.name) && !row.faults.is_empty());
+        let fault = |row: &Row| format!("{name} to {ratio} by {}: {}", row.name, row.faults.join("; "));
+        section.faults.extend(ours.map(fault));
+        ratios.push(rows);
+    }
+    if section.headline.is_empty() {
+        section.headline = table::headline(name, &options.ratios, &ratios);
+    }
+    section.figures.push(table::figure(name, &ratios));
+    Ok(())
 }
 
 /// The mesh of a name.
@@ -113,7 +148,7 @@ fn made(name: &str) -> Result<Mesh, AppError> {
 }
 
 /// Verifies all methods, then times them.
-fn measure(
+fn with_ratio(
     options: &Options,
     contenders: &[Contender],
     mesh: &Mesh,
@@ -147,6 +182,7 @@ mod tests {
             methods: methods.iter().map(|m| (*m).to_owned()).collect(),
             rounds: 1,
             samples: 2_000,
+            sizes: vec!["sphere300".to_owned(), "sphere1k".to_owned()],
             csv: None,
         }
     }
@@ -156,12 +192,15 @@ mod tests {
         let good =
             [options(&["part1k"], &["qem", "memoryless", "melax"]), options(&["terrain1k"], &["memoryless"])];
         for options in good {
-            run(&options).unwrap_or_else(|error| panic!("{}", error.report()));
+            let section = measure(&options).unwrap_or_else(|error| panic!("{}", error.report()));
+            assert_eq!(section.faults, Vec::<String>::new());
+            assert_eq!((section.tables.len(), section.figures.len()), (2 + 2, 1 + 1));
+            assert!(section.headline[0].0.contains("to 0.1, memoryless"), "{:?}", section.headline);
         }
         for options in
             [options(&["part1"], &[]), options(&["nothing"], &[]), options(&["part1k"], &["magic"])]
         {
-            assert!(matches!(run(&options), Err(AppError::Usage(_))));
+            assert!(matches!(measure(&options), Err(AppError::Usage(_))));
         }
     }
 }

@@ -4,6 +4,7 @@
 mod stage;
 
 use crate::clock::{self, Span};
+use crate::report::{Better, Cell, Curve, Figure, Section, Table};
 use crate::sample::Sample;
 use crate::world::World;
 use a1_ray_casting::Studio;
@@ -11,7 +12,7 @@ use a4_whitted::{WhittedArgs, WhittedColor};
 use a6_kdtree::bvh::Bvh;
 use a6_kdtree::kdtree::{KdTree, Options as TreeOptions, Rule};
 use common::accel::{Accel, List};
-use common::cli::{self, AppError, say};
+use common::cli::{self, AppError};
 use common::counters::Counters;
 use common::geometry::Geometry;
 use common::picture::{Film, Size};
@@ -19,6 +20,9 @@ use stage::VIEWS;
 
 /// Pixels in a row and rows of the pictures without a tree; their time is scaled up.
 const PART: u32 = 16;
+
+/// Seconds; what is built in less stands here in the figure, whose axis has no place for 0.
+const LEAST: f64 = 1e-6;
 
 /// What to measure.
 #[derive(clap::Args)]
@@ -68,11 +72,11 @@ struct Cost {
     work: Counters,
 }
 
-/// Measures and prints the table.
+/// Measures all structures.
 ///
 /// # Errors
 /// If the mesh is unknown, or two structures make different pictures.
-pub fn run(options: &Options) -> Result<(), AppError> {
+pub fn measure(options: &Options) -> Result<Section, AppError> {
     let world = World::named(&options.mesh)?;
     cli::set_quiet(true);
     let mut studio = stage::studio(&world, options.side)?;
@@ -81,8 +85,7 @@ pub fn run(options: &Options) -> Result<(), AppError> {
     for _ in 0..options.rounds.max(1) {
         round(&mut studio, &args, &mut costs)?;
     }
-    print(&world, options.side, &costs);
-    Ok(())
+    Ok(section(&world, options.side, &costs))
 }
 
 /// The flags of all pictures; one thread, so that processor time is that of the picture alone.
@@ -139,26 +142,46 @@ fn shoot(
     Ok((film, counters, Span { wall: span.wall * scale, cpu: span.cpu * scale }))
 }
 
-fn print(world: &World, side: u32, costs: &[Cost]) {
-    say(&format!(
-        "{}: {} triangles, {} mirror balls, mirror floor, 2 lamps, {side}x{side}, shadows, 4 bounces",
-        world.name,
-        world.triangles(),
-        stage::BALLS
-    ));
-    let heads: Vec<String> = (1..=VIEWS).map(|v| format!("{:>8}", format!("view {v}"))).collect();
-    say(&format!("{:<12} {:>8} {}   of view {VIEWS}, per ray:", "CPU seconds", "build", heads.join(" ")));
+fn section(world: &World, side: u32, costs: &[Cost]) -> Section {
+    let views: Vec<String> = (1..=VIEWS).map(|v| format!("view {v}, s")).collect();
+    let columns: Vec<_> = std::iter::once("build, s")
+        .chain(views.iter().map(String::as_str))
+        .map(|name| (name, Better::Less))
+        .chain([("nodes per ray", Better::Less), ("tests per ray", Better::Less)])
+        .collect();
+    let mut table = Table::of_rivals("structures", "", &columns);
     for ((name, kind), cost) in KINDS.iter().zip(costs) {
-        let views: Vec<String> = cost.views.iter().map(|s| format!("{:>8.3}", s.median())).collect();
-        let rays = (cost.work.rays + cost.work.shadow_rays).max(1) as f64;
-        let (nodes, tests) = (cost.work.cells as f64 / rays, cost.work.intersections as f64 / rays);
         let part =
-            if *kind == Kind::Nothing { format!("  (from {PART}x{PART} pixels)") } else { String::new() };
-        let build = cost.build.median();
-        say(&format!(
-            "{name:<12} {build:>8.3} {}   {nodes:.1} nodes, {tests:.1} tests{part}",
-            views.join(" ")
-        ));
+            if *kind == Kind::Nothing { format!(" (from {PART}x{PART} pixels)") } else { String::new() };
+        let rays = (cost.work.rays + cost.work.shadow_rays).max(1) as f64;
+        let work = [cost.work.cells, cost.work.intersections].map(|n| Cell::from(n as f64 / rays));
+        let times = std::iter::once(&cost.build).chain(&cost.views).map(Cell::from);
+        table.row(format!("{name}{part}"), times.chain(work));
+    }
+    let title = format!("{}: building against five pictures", world.name);
+    let point = |(name, cost): (&str, &Cost)| {
+        let pictures = cost.views.iter().map(Sample::median).sum();
+        Curve::new(name, [(cost.build.median().max(LEAST), pictures)])
+    };
+    let curves = KINDS.iter().map(|(name, _)| *name).zip(costs).map(point).collect();
+    let figure = Figure::new(title, "build, processor seconds", "five pictures, processor seconds", curves);
+    Section {
+        part: "trees",
+        title: "What a good tree is worth: build time against render time".to_owned(),
+        remarks: vec![
+            format!(
+                "{}: {} triangles, {} mirror balls, mirror floor, 2 lamps, {side}x{side}, shadows, 4 bounces",
+                world.name,
+                world.triangles(),
+                stage::BALLS
+            ),
+            format!(
+                "processor time, one thread: median (quartiles); nodes and tests are those of view {VIEWS}"
+            ),
+        ],
+        tables: vec![table],
+        figures: vec![figure.with_front(Better::Less)],
+        ..Section::default()
     }
 }
 
@@ -177,5 +200,7 @@ mod tests {
         assert!(costs.iter().all(|c| c.work.rays > 256 && c.work.shadow_rays > 0));
         let tests = |k: usize| costs[k].work.intersections / costs[k].work.rays;
         assert!(tests(3) < tests(0) / 10, "the tree saves nothing: {} {}", tests(3), tests(0));
+        let section = section(&world, 24, &costs);
+        assert_eq!((section.table("structures").rows.len(), section.figures[0].curves.len()), (5, 5));
     }
 }

@@ -7,11 +7,10 @@ use super::Effort;
 use super::double_double::DoubleDouble;
 use super::draw::Draw;
 use super::timing::{Work, interleave};
-use crate::growth::plot::{Curve, Upward};
-use crate::report::{Better, Cell, Figure, Row, Table};
+use crate::report::{Better, Cell, Curve, Figure, Row, Table};
 use crate::sample::Sample;
 use common::cli::AppError;
-use common::math::{DVec3, Vec3};
+use common::math::Vec3;
 use common::ray::Ray;
 use kernel::{Ball, KERNELS, Kernel};
 use std::hint::black_box;
@@ -112,17 +111,13 @@ pub fn measure(effort: &Effort) -> Result<Vec<Table>, AppError> {
 
 /// The second table as curves.
 pub fn figure(tables: &[Table]) -> Figure {
-    let of = |row: &Row| Curve {
-        name: row.label.clone(),
-        points: DISTANCES.into_iter().zip(row.cells.iter().filter_map(Cell::value)).collect(),
+    let points = |row: &Row| -> Vec<(f64, f64)> {
+        DISTANCES.into_iter().zip(row.cells.iter().filter_map(Cell::value)).collect()
     };
-    Figure {
-        title: "Ray against sphere: worst error of t".to_owned(),
-        across: "distance of the origin in radii".to_owned(),
-        up: "eps of the test's own precision".to_owned(),
-        upward: Upward::Logarithmic,
-        curves: tables.iter().filter(|t| t.title == WORST).flat_map(|t| &t.rows).map(of).collect(),
-    }
+    let rows = tables.iter().filter(|t| t.title == WORST).flat_map(|t| &t.rows);
+    let curves = rows.map(|row| Curve::new(row.label.clone(), points(row))).collect();
+    let (across, up) = ("distance of the origin in radii", "eps of the test's own precision");
+    Figure::new("Ray against sphere: worst error of t", across, up, curves)
 }
 
 /// From two radii away no test may be off by much.
@@ -199,7 +194,7 @@ mod tests {
 
     #[test]
     fn directions_need_not_have_unit_length() {
-        let ball = Ball { center: DVec3::new(1.0, 2.0, 3.0).as_vec3(), radius: 2.0 };
+        let ball = Ball { center: Vec3::new(1.0, 2.0, 3.0), radius: 2.0 };
         let ray = Ray::new(Vec3::new(1.0, 2.0, 13.0), Vec3::new(0.0, 0.0, -4.0));
         for kernel in &KERNELS {
             assert_eq!((kernel.test)(&ray, &ball), Some(2.0), "{}", kernel.name);

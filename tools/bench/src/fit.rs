@@ -23,6 +23,20 @@ pub fn fit(points: &[(f64, f64)]) -> Fit {
     Fit { a: y - b * x, b, explained: if yy > 0.0 { 1.0 - left / yy } else { 1.0 } }
 }
 
+/// Fits y ≈ a·xᵇ, by the line of least squares through the logarithms; [`Fit::a`] is that of the
+/// line. All numbers must be above zero.
+pub fn power(points: &[(f64, f64)]) -> Fit {
+    fit(&points.iter().map(|(x, y)| (x.ln(), y.ln())).collect::<Vec<_>>())
+}
+
+impl Fit {
+    /// The two ends, at the least and the largest x of a curve, of what [`power`] has fitted to it.
+    pub fn ends(&self, points: &[(f64, f64)]) -> [(f64, f64); 2] {
+        let x = |pick: fn(f64, f64) -> f64| points.iter().map(|p| p.0).reduce(pick).unwrap_or(f64::NAN);
+        [x(f64::min), x(f64::max)].map(|x| (x, (self.a + self.b * x.ln()).exp()))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -35,5 +49,14 @@ mod tests {
         let none = fit(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)]);
         assert!(none.b.abs() < 1e-12 && none.explained.abs() < 1e-12);
         assert_eq!(fit(&[(0.0, 2.0), (1.0, 2.0)]), Fit { a: 2.0, b: 0.0, explained: 1.0 });
+    }
+
+    #[test]
+    fn powers_are_lines_of_logarithms() {
+        let points = [1.0, 10.0, 1000.0].map(|x: f64| (x, 3.0 * x.powf(1.5)));
+        let fit = power(&points);
+        assert!((fit.b - 1.5).abs() < 1e-12 && (fit.a.exp() - 3.0).abs() < 1e-12);
+        let ends = fit.ends(&points);
+        assert!((ends[0].1 - 3.0).abs() < 1e-9 && (ends[1].1 / points[2].1 - 1.0).abs() < 1e-9);
     }
 }

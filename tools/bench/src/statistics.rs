@@ -1,6 +1,7 @@
 //! Means and slopes with what they may be wrong by.
 
-use crate::growth::fit::fit;
+use crate::fit::power;
+use crate::report::{Cell, Measured};
 
 /// A mean and half the width of its 95 % confidence interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,11 +28,29 @@ impl Mean {
     }
 }
 
+impl Mean {
+    /// As a figure that is the same in every run, in a unit of which there are `scale` in one.
+    pub fn cell(self, scale: f64) -> Cell {
+        Cell::estimate(self.value * scale, self.within * scale)
+    }
+
+    /// As a figure that was made of times.
+    pub fn derived(self) -> Cell {
+        match self.within.is_nan() {
+            true => Cell::derived(self.value),
+            false => Cell::Derived(Measured {
+                median: self.value,
+                low: self.value - self.within,
+                high: self.value + self.within,
+            }),
+        }
+    }
+}
+
 /// The slope b of error ≈ a·samplesᵇ: the mean over the seeds, each of which is a curve of
 /// (samples, error).
 pub fn slope(seeds: &[Vec<(f64, f64)>]) -> Mean {
-    let log = |curve: &Vec<(f64, f64)>| curve.iter().map(|(n, e)| (n.ln(), e.ln())).collect::<Vec<_>>();
-    let slopes: Vec<f64> = seeds.iter().map(|curve| fit(&log(curve)).b).collect();
+    let slopes: Vec<f64> = seeds.iter().map(|curve| power(curve).b).collect();
     Mean::of(&slopes)
 }
 

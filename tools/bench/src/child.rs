@@ -1,0 +1,105 @@
+//! This program as one of the assignments', so that a whole command line can be timed as a process.
+
+use crate::clock;
+use clap::Parser;
+use common::cli::{self, AppError};
+use std::io;
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+/// The programs that can be timed.
+pub const PROGRAMS: [&str; 8] = [
+    "a1_ray_casting",
+    "a2_transforms",
+    "a3_phong",
+    "a4_whitted",
+    "a5_grid",
+    "a6_kdtree",
+    "a7_sampling",
+    "a8_path_tracing",
+];
+
+/// Starts the line of standard output that tells the processor time.
+const TIME: &str = "cpu_ns ";
+
+/// Does what a program does (the first word names it), then says how much processor time it took.
+///
+/// # Errors
+/// Those of the program.
+pub fn run(words: &[String]) -> Result<(), AppError> {
+    let program = words.first().map(String::as_str).unwrap_or_default();
+    match program {
+        "a1_ray_casting" => parsed(words, |p: a1_ray_casting::Program| a1_ray_casting::run(&p.args)),
+        "a2_transforms" => parsed(words, |p: a2_transforms::Program| a2_transforms::run(&p.args)),
+        "a3_phong" => parsed(words, |p: a3_phong::Program| a3_phong::run(&p.args)),
+        "a4_whitted" => parsed(words, |p: a4_whitted::Program| a4_whitted::run(&p.args)),
+        "a5_grid" => parsed(words, |p: a5_grid::Program| a5_grid::run(&p.args)),
+        "a6_kdtree" => parsed(words, |p: a6_kdtree::Program| a6_kdtree::run(&p.args)),
+        "a7_sampling" => parsed(words, |p: a7_sampling::Program| a7_sampling::run(&p.args)),
+        "a8_path_tracing" => parsed(words, |p: a8_path_tracing::Program| a8_path_tracing::run(&p.args)),
+        _ => Err(AppError::Usage(format!("`{program}` is none of {}", PROGRAMS.join(", ")))),
+    }?;
+    cli::say(&format!("{TIME}{}", clock::process_time()?));
+    Ok(())
+}
+
+fn parsed<P: Parser>(words: &[String], run: impl FnOnce(P) -> Result<(), AppError>) -> Result<(), AppError> {
+    match cli::try_parse_from::<P>(words) {
+        Ok(parsed) => run(parsed.options),
+        Err(stop) if stop.code == 0 => {
+            cli::say(stop.text.trim_end());
+            Ok(())
+        }
+        Err(stop) => Err(AppError::Usage(stop.text)),
+    }
+}
+
+/// Wall-clock and processor time of one command line as a process of its own.
+///
+/// # Errors
+/// If it fails, or cannot be started.
+pub fn time(words: &[&str], picture: Option<&Path>) -> Result<clock::Span, AppError> {
+    let mut command = Command::new(std::env::current_exe()?);
+    command.arg("child").args(words);
+    if let Some(picture) = picture {
+        command.arg("-output").arg(picture);
+    }
+    let started = Instant::now();
+    let output = command.output()?;
+    let wall = started.elapsed().as_secs_f64() * 1e3;
+    let text = String::from_utf8_lossy(&output.stdout);
+    let cpu = text.lines().find_map(|l| l.strip_prefix(TIME)?.parse::<f64>().ok());
+    match cpu {
+        Some(ns) if output.status.success() => Ok(clock::Span { wall, cpu: ns / 1e6 }),
+        _ => {
+            let (line, said) = (words.join(" "), String::from_utf8_lossy(&output.stderr));
+            Err(AppError::Input(io::Error::other(format!("`{line}` failed:\n{said}")).into()))
+        }
+    }
+}
+
+/// Calls `work` with an empty folder, which is gone afterwards.
+///
+/// # Errors
+/// Those of `work`, or if the folder cannot be made.
+pub fn in_folder<T>(work: impl FnOnce(&Path) -> Result<T, AppError>) -> Result<T, AppError> {
+    let folder = std::env::temp_dir().join(format!("raysteps-bench-{}", std::process::id()));
+    std::fs::create_dir_all(&folder)?;
+    let result = work(&folder);
+    std::fs::remove_dir_all(&folder)?;
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_program_is_known_and_no_other() {
+        let run = |name: &str| run(&[name.to_owned(), "-help".to_owned()]);
+        assert!(PROGRAMS.iter().all(|name| run(name).is_ok()));
+        assert!(matches!(run("a9_simplification"), Err(AppError::Usage(_))));
+        assert!(matches!(super::run(&[]), Err(AppError::Usage(_))));
+    }
+}
