@@ -1,6 +1,5 @@
 //! From flags to pictures on disk.
 
-use crate::PathArgs;
 use crate::film::{Identity, Sums, checkpoint};
 use crate::fingerprint::fingerprint;
 use crate::light::Lights;
@@ -9,6 +8,7 @@ use crate::outputs::Outputs;
 use crate::path::{PathTracer, Rules};
 use crate::plan::Plan;
 use crate::render::{End, Estimator, Pace, Rendering, Tally};
+use crate::{Integrator, PathArgs};
 use a1_ray_casting::{Report, Studio};
 use a6_kdtree::texture::TexturedScene;
 use a6_kdtree::{AccelArgs, Step};
@@ -66,6 +66,9 @@ impl Step for Traced<'_> {
         let outputs = Outputs::new(self.args.cast().output.as_ref(), &self.args.files)?;
         if outputs.any() || args.cast().general.program.stats {
             let lights = Lights::load(&studio.geometry, scene)?;
+            if self.args.rules().integrator == Integrator::Naive && lights.has_points() {
+                cli::warn("-integrator naive: lights without a surface stay dark, as no path meets them");
+            }
             let numbers = Numbers::new(plan.pattern, plan.spp, studio.size, plan.seed);
             let tracer = PathTracer::new(studio, scene, accel, lights, numbers, self.args.rules());
             self.args.render(&tracer, studio, &plan, &outputs, report)?;

@@ -159,6 +159,8 @@ fn what_has_no_effect_is_told() {
         assert_eq!(stderr.lines().count(), 1, "{stderr}");
         assert!(stderr.starts_with(&format!("warning: {name} has no effect")), "{stderr}");
     }
+    assert_eq!(told("-integrator nee"), "");
+    assert!(told("-integrator naive").contains("no path meets them"), "good.txt has a point light");
     assert!(told("-box_filter 1").starts_with("warning: a filter has no effect"));
     assert!(told("-random_samples 4").contains("-spp is given"));
     assert_eq!(told("-seed 3 -sampler halton -bounces 2 -rr_depth 3 -accel list"), "");
@@ -245,16 +247,27 @@ fn statistics_tell_of_samples() {
     assert!(stats.contains("least 16, mean 16.0, most 16; 200 of 200 pixels converged"), "{stats}");
 }
 
-/// Sends what Ctrl-C sends.
 #[cfg(unix)]
-fn interrupt(child: &std::process::Child) {
-    let sent = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+fn send(signal: &str, child: &std::process::Child) {
+    let sent = std::process::Command::new("kill").args([signal, &child.id().to_string()]).status();
     assert!(sent.expect("there is a `kill`").success());
 }
 
 #[cfg(unix)]
 #[test]
 fn ctrl_c_keeps_what_is_done() {
+    what_is_done_is_kept("-INT");
+}
+
+/// As engines send it whose time is over.
+#[cfg(unix)]
+#[test]
+fn sigterm_keeps_what_is_done() {
+    what_is_done_is_kept("-TERM");
+}
+
+#[cfg(unix)]
+fn what_is_done_is_kept(signal: &str) {
     use std::process::Stdio;
     let scratch = scratch(b"");
     let flags = "-input good.txt -size 64 64";
@@ -269,7 +282,7 @@ fn ctrl_c_keeps_what_is_done() {
         assert!(child.try_wait().unwrap().is_none(), "it ended by itself");
         std::thread::sleep(Duration::from_millis(20));
     }
-    interrupt(&child);
+    send(signal, &child);
     let outcome = child.wait_with_output().unwrap();
     let stderr = String::from_utf8_lossy(&outcome.stderr);
     assert_eq!(outcome.status.code(), Some(0), "{stderr}");

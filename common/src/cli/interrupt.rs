@@ -1,4 +1,5 @@
-//! Ctrl-C as a wish to end well: the door to ctrlc.
+//! Ctrl-C as a wish to end well, and so SIGTERM, which engines send whose time is over: the door to
+//! ctrlc.
 
 use super::output::note;
 use std::sync::OnceLock;

@@ -100,6 +100,11 @@ impl<'a> Lights<'a> {
         self.tree.is_empty() && self.far.is_empty() && self.environment.is_none()
     }
 
+    /// Whether there are lights that no way meets by chance: points and directions.
+    pub fn has_points(&self) -> bool {
+        !self.placed.is_empty() || !self.far.is_empty()
+    }
+
     /// Lights infinitely far away, the environment being one.
     fn far_count(&self) -> usize {
         self.far.len() + usize::from(self.environment.is_some())
