@@ -75,7 +75,7 @@ where
         .axis_desc_style(FONT)
         .x_label_formatter(&across.1)
         .y_label_formatter(&up.1)
-        .light_line_style(WHITE)
+        .max_light_lines(0)
         .draw()?;
     for (i, Curve { points, .. }) in figure.curves.iter().enumerate() {
         let color = color(i, figure);
