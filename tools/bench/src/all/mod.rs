@@ -18,7 +18,7 @@ use list::Entry;
 use load::{Load, Watch};
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// What to measure, and where to put it.
 #[derive(clap::Args)]
@@ -72,6 +72,7 @@ fn perform(options: &Options, entries: &[Entry]) -> Result<(), AppError> {
         external: read(&options.external)?,
     };
     fs::create_dir_all(&options.out)?;
+    keep_previous(&options.out)?;
     for entry in entries {
         note(&format!("{} ...", entry.name));
         let watch = Watch::start();
@@ -79,19 +80,22 @@ fn perform(options: &Options, entries: &[Entry]) -> Result<(), AppError> {
         let load = watch.stop();
         // Some parts silence what they call.
         set_quiet(false);
-        let state = if is_fine(&outcome) { "done" } else { "FAILED" };
-        note(&format!(
-            "{} {state}: {:.1} s, others had {:.0} % of the processors",
-            entry.name,
-            load.seconds,
-            load.others * 100.0
-        ));
+        tell(entry, &outcome, &load);
         run.loads.push((entry.clone(), load));
         run.chapters.push(Chapter { name: entry.name, command: entry.command(), outcome });
         run.write()?;
     }
     run.tell();
     run.verdict()
+}
+
+/// Results of an earlier run stay, as `previous.csv`, when those of this one take their place.
+fn keep_previous(out: &Path) -> Result<(), AppError> {
+    let old = out.join("results.csv");
+    if old.is_file() {
+        replace(&out.join("previous.csv"), &fs::read(old)?)?;
+    }
+    Ok(())
 }
 
 /// What a part found; an error or a panic as text.
@@ -105,6 +109,15 @@ fn measured(entry: &Entry) -> Result<Section, String> {
             Err(format!("error: the part panicked: {}", text.unwrap_or("it did not say why")))
         }
     }
+}
+
+/// A line about a part that has ended.
+fn tell(entry: &Entry, outcome: &Result<Section, String>, load: &Load) {
+    let state = if is_fine(outcome) { "done" } else { "FAILED" };
+    let others = format!(", others had {:.0} % of the processors", load.others * 100.0);
+    // What is over within a tick of the kernel's clock has no shares.
+    let others = if load.others.is_nan() { "" } else { &others };
+    note(&format!("{} {state}: {:.1} s{others}", entry.name, load.seconds));
 }
 
 fn is_fine(outcome: &Result<Section, String>) -> bool {
@@ -132,14 +145,17 @@ impl Run<'_> {
         let figures = last.iter().filter_map(|c| c.outcome.as_ref().ok()).flat_map(|s| &s.figures);
         for (i, figure) in figures.enumerate() {
             let name = format!("{}-{}.svg", last.map_or("", |c| c.name), i + 1);
-            figure.draw(&out.join(name))?;
+            // The page says which figures are empty.
+            if let Ok(svg) = figure.svg() {
+                replace(&out.join(name), svg.as_bytes())?;
+            }
         }
         let mut chapters = self.chapters.clone();
-        let more = [(("compared"), self.comparison()), ("external", self.elsewhere())];
+        let more = [("compared", self.comparison()), ("external", self.elsewhere())];
         for (name, section) in more {
             chapters.extend(section.map(|s| Chapter { name, command: String::new(), outcome: Ok(s) }));
         }
-        let page = page::html(&[self.headline(), self.machine.clone(), self.log()], &chapters)?;
+        let page = page::html(&[self.headline(), self.machine.clone(), self.log()], &chapters);
         Ok(replace(&out.join("index.html"), page.as_bytes())?)
     }
 

@@ -34,10 +34,10 @@ fn a_run_leaves_a_page_results_and_figures() {
     assert_eq!(rates.filter(|r| r.cell.value().is_some_and(|v| v > 0.0)).count(), 4);
     assert!(records.iter().any(|r| r.place == ["run", "machine", "command", ""]));
     // Again, beside what was just measured.
-    let old = options.out.join("old.csv");
-    fs::rename(options.out.join("results.csv"), &old).unwrap();
+    let (old, text) = (options.out.join("results.csv"), read("results.csv"));
     (options.compare, options.external) = (Some(old.clone()), Some(old));
     perform(&options, &[kernels()]).unwrap();
+    assert_eq!(fs::read_to_string(options.out.join("previous.csv")).unwrap(), text);
     let page = fs::read_to_string(options.out.join("index.html")).unwrap();
     check::assert_self_contained(&page);
     assert!(page.contains("id=\"compared\"") && page.contains("id=\"external\""));

@@ -64,10 +64,14 @@ fn circumstances(old: &[Record], new: &[Record]) -> Vec<String> {
 fn parts(found: &Difference) -> Table {
     let columns =
         [("timings", Better::Neither), ("as a whole, ratio", Better::Less), ("scatter, %", Better::Neither)];
-    let mut table = Table::new("parts, drift removed", "part", &columns);
+    let mut table = Table::new("parts, drift removed", "part, clock", &columns);
     for whole in &found.parts {
         let numbers = [whole.ratio, whole.scatter.exp_m1() * 100.0].map(Cell::derived);
-        table.row(&whole.part, std::iter::once(Cell::from(whole.timings)).chain(numbers));
+        let clock = if whole.wall { "wall clock" } else { "processor" };
+        table.row(
+            format!("{}, {clock}", whole.part),
+            std::iter::once(Cell::from(whole.timings)).chain(numbers),
+        );
     }
     table
 }

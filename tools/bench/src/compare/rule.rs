@@ -5,11 +5,11 @@
 //! of others; it is divided out. The wall clock has a drift of its own, since it goes on while others
 //! work: timings of columns whose name says `wall` are held to that. What is left scatters. The scatter of a part is robustly estimated
 //! by the median of the logarithms' sizes (times 1.4826, which makes it the deviation of a normal
-//! distribution); a part with few timings has the scatter of all. A timing has moved if
+//! distribution), for each clock; a part with few timings has the scatter of all. A timing has moved if
 //!
 //! 1. its quartiles do not overlap those of the old one, drift removed, and
 //! 2. its ratio is beyond 5 %, and beyond twice the quartiles' half-widths of both runs together,
-//!    and beyond √(2 ln n) + 1 deviations: the largest of n normal ones is about √(2 ln n).
+//!    and beyond √(2 ln n) + 1.5 deviations: the largest of n normal ones is about √(2 ln n).
 //!
 //! A part that moved as a whole raises its own scatter, so that its rows are not all listed; that
 //! it moved is told by its median.
@@ -23,6 +23,8 @@ use std::collections::BTreeMap;
 const LEAST: f64 = 1.05;
 /// Timings from which on a part has a scatter of its own.
 const ENOUGH: usize = 10;
+/// Deviations that a timing must be beyond what the largest of all is expected to be.
+const BEYOND: f64 = 1.5;
 /// Turns the median of sizes into the deviation of a normal distribution.
 const NORMAL: f64 = 1.4826;
 
@@ -53,11 +55,13 @@ pub struct Change {
     pub better: Option<bool>,
 }
 
-/// How the timings of one part moved.
+/// How the timings of one part by one clock moved.
 #[derive(Clone, Debug)]
 pub struct Whole {
     /// The part.
     pub part: String,
+    /// Whether it is about the clock on the wall.
+    pub wall: bool,
     /// Its timings in both runs.
     pub timings: usize,
     /// The median of their ratios, drift removed.
@@ -160,22 +164,25 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
 
 fn wholes(pairs: &[Pair]) -> Vec<Whole> {
     let scatter = |of: &[&Pair]| NORMAL * median(of.iter().map(|p| p.moved().abs()));
-    let all = scatter(&pairs.iter().collect::<Vec<_>>());
-    let mut parts: BTreeMap<&String, Vec<&Pair>> = BTreeMap::new();
-    pairs.iter().for_each(|p| parts.entry(&p.place[0]).or_default().push(p));
-    let whole = |(part, of): (&String, Vec<&Pair>)| Whole {
+    let all =
+        [false, true].map(|wall| scatter(&pairs.iter().filter(|p| p.is_wall() == wall).collect::<Vec<_>>()));
+    let mut parts: BTreeMap<(&String, bool), Vec<&Pair>> = BTreeMap::new();
+    pairs.iter().for_each(|p| parts.entry((&p.place[0], p.is_wall())).or_default().push(p));
+    let whole = |((part, wall), of): ((&String, bool), Vec<&Pair>)| Whole {
         part: part.clone(),
+        wall,
         timings: of.len(),
         ratio: median(of.iter().map(|p| p.moved())).exp(),
-        scatter: if of.len() < ENOUGH { all } else { scatter(&of) },
+        scatter: if of.len() < ENOUGH { all[usize::from(wall)] } else { scatter(&of) },
     };
     parts.into_iter().map(whole).collect()
 }
 
 fn moves(pairs: &[Pair], parts: &[Whole]) -> Vec<Move> {
-    let deviations = (2.0 * (pairs.len() as f64).ln()).max(0.0).sqrt() + 1.0;
+    let deviations = (2.0 * (pairs.len() as f64).ln()).max(0.0).sqrt() + BEYOND;
     let moved = |pair: &Pair| {
-        let scatter = parts.iter().find(|w| w.part == pair.place[0]).map_or(0.0, |w| w.scatter);
+        let scatter = parts.iter().find(|w| w.part == pair.place[0] && w.wall == pair.is_wall());
+        let scatter = scatter.map_or(0.0, |w| w.scatter);
         let limit = LEAST.ln().max(deviations * scatter).max(2.0 * pair.spread());
         let log = pair.moved();
         (log.abs() > limit && !pair.overlaps()).then(|| Move {

@@ -5,7 +5,6 @@ pub mod check;
 mod table;
 
 use crate::report::{Figure, Section, Table};
-use common::cli::AppError;
 use std::fmt::Write;
 
 const STYLE: &str = include_str!("style.css");
@@ -22,10 +21,7 @@ pub struct Chapter {
 }
 
 /// The page: tables about the whole run, then the chapters.
-///
-/// # Errors
-/// If a figure cannot be drawn.
-pub fn html(about: &[Table], chapters: &[Chapter]) -> Result<String, AppError> {
+pub fn html(about: &[Table], chapters: &[Chapter]) -> String {
     let mut page = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
@@ -35,11 +31,9 @@ pub fn html(about: &[Table], chapters: &[Chapter]) -> Result<String, AppError> {
     );
     about.iter().for_each(|table| page.push_str(&table::html(table)));
     page.push_str(LEGEND);
-    for chapter in chapters {
-        page.push_str(&html_of_chapter(chapter)?);
-    }
+    chapters.iter().for_each(|chapter| page.push_str(&html_of_chapter(chapter)));
     page.push_str("</body>\n</html>\n");
-    Ok(page)
+    page
 }
 
 const LEGEND: &str = "</div>\n<p class=\"remarks\">Figures that move from run to run are medians with \
@@ -61,30 +55,28 @@ impl Chapter {
     }
 }
 
-fn html_of_chapter(chapter: &Chapter) -> Result<String, AppError> {
+fn html_of_chapter(chapter: &Chapter) -> String {
     let title = chapter.outcome.as_ref().map_or("", |section| &section.title);
     let mut text = format!("<section id=\"{0}\">\n<h2>{0}: {1}</h2>\n", chapter.name, escaped(title));
     if !chapter.command.is_empty() {
         let _ = writeln!(text, "<p><code>{}</code></p>", escaped(&chapter.command));
     }
     match &chapter.outcome {
-        Ok(section) => text.push_str(&html_of_section(section)?),
+        Ok(section) => text.push_str(&html_of_section(section)),
         Err(why) => {
             let _ = writeln!(text, "<p class=\"error\">{}</p>", escaped(why));
         }
     }
-    Ok(text + "</section>\n")
+    text + "</section>\n"
 }
 
-fn html_of_section(section: &Section) -> Result<String, AppError> {
+fn html_of_section(section: &Section) -> String {
     let mut text = items("remarks", &section.remarks) + &items("faults", &section.faults);
     text.push_str("<div class=\"figures\">\n");
-    for figure in &section.figures {
-        text.push_str(&html_of_figure(figure)?);
-    }
+    section.figures.iter().for_each(|figure| text.push_str(&html_of_figure(figure)));
     text.push_str("</div>\n<div class=\"tables\">\n");
     section.tables.iter().for_each(|table| text.push_str(&table::html(table)));
-    Ok(text + "</div>\n")
+    text + "</div>\n"
 }
 
 fn items(class: &str, lines: &[String]) -> String {
@@ -95,15 +87,18 @@ fn items(class: &str, lines: &[String]) -> String {
 
 /// A figure as part of the page: its size is the page's to choose, and within HTML it needs no
 /// name space.
-fn html_of_figure(figure: &Figure) -> Result<String, AppError> {
-    let svg = figure.svg()?;
+fn html_of_figure(figure: &Figure) -> String {
+    let svg = match figure.svg() {
+        Ok(svg) => svg,
+        Err(why) => return format!("<p class=\"error\">{}</p>\n", escaped(&why.report())),
+    };
     let (head, body) = svg.split_once('>').unwrap_or_default();
     let view = head.split("viewBox=\"").nth(1).and_then(|rest| rest.split('"').next()).unwrap_or_default();
     let title = escaped(&figure.title);
-    Ok(format!(
+    format!(
         "<figure>\n<svg viewBox=\"{view}\" role=\"img\" aria-label=\"{title}\">{}\n</figure>\n",
         body.trim_end()
-    ))
+    )
 }
 
 /// Text in which nothing is a tag.
@@ -124,7 +119,7 @@ mod tests {
         let curves = vec![Curve::new("q & <r>", [(1.0, 1.0), (2.0, 3.0)])];
         let figure = Figure::new("f > g", "s", "t", curves).with_front(Better::Less);
         let faults = vec!["5 > 4".to_owned()];
-        let (tables, figures) = (vec![table], vec![figure]);
+        let (tables, figures) = (vec![table], vec![figure, Figure::default()]);
         Section { part: "rays", title: "A & B".to_owned(), tables, figures, faults, ..Section::default() }
     }
 
@@ -132,7 +127,7 @@ mod tests {
     fn the_page_is_whole_and_nothing_in_it_is_mistaken_for_a_tag() {
         let bad = Chapter { name: "path", command: String::new(), outcome: Err("<why>".to_owned()) };
         let good = Chapter { name: "rays", command: "run <it>".to_owned(), outcome: Ok(section()) };
-        let page = html(&[section().tables.remove(0)], &[good, bad]).unwrap();
+        let page = html(&[section().tables.remove(0)], &[good, bad]);
         check::assert_self_contained(&page);
         for part in [
             "<h2>rays: A &amp; B</h2>",

@@ -68,7 +68,7 @@ impl Figure {
     /// Its text as SVG.
     ///
     /// # Errors
-    /// If there is no point, or one that the axes have no place for.
+    /// If there is no point that the axes have a place for.
     pub fn svg(&self) -> Result<String, AppError> {
         plot::svg(self)
     }

@@ -16,22 +16,20 @@ const LEGEND: u32 = 250;
 /// Radius of the rings around points of the front.
 const RING: i32 = 7;
 
-/// The text of a figure.
+/// The text of a figure. Points that the axes have no place for (a logarithm has none for 0) are left
+/// out, and the title says how many.
 ///
 /// # Errors
-/// If there is no point, or one that the axes have no place for.
+/// If no point is left.
 pub fn svg(figure: &Figure) -> Result<String, AppError> {
+    let figure = &shown(figure);
     let points = || figure.curves.iter().flat_map(|c| c.points.iter());
     let range = |of: fn(&(f64, f64)) -> f64| {
         points().map(of).fold((f64::INFINITY, 0.0f64), |(lo, hi), v| (lo.min(v), hi.max(v)))
     };
     let ((min, max), (bottom, top)) = (range(|p| p.0), range(|p| p.1));
-    let placeless = |(x, y): &(f64, f64)| {
-        let least = if figure.upward == Upward::Linear { -f64::MIN_POSITIVE } else { 0.0 };
-        !(x.is_finite() && y.is_finite() && *x > 0.0 && *y > least)
-    };
-    if min > max || points().any(placeless) {
-        return Err(AppError::CheckFailed(format!("`{}`: nothing that can be drawn", figure.title)));
+    if min > max {
+        return Err(AppError::CheckFailed(format!("`{}`: there is nothing to draw", figure.title)));
     }
     let mut text = String::new();
     let across = factors(min / 1.1, max * 1.1);
@@ -44,6 +42,24 @@ pub fn svg(figure: &Figure) -> Result<String, AppError> {
     }
     .map_err(|e| AppError::CheckFailed(format!("cannot draw `{}`: {e}", figure.title)))?;
     Ok(text)
+}
+
+/// The figure without points that have no place.
+fn shown(figure: &Figure) -> Figure {
+    let mut shown = figure.clone();
+    let upward = figure.upward;
+    let has_place = |(x, y): &(f64, f64)| {
+        let above = if upward == Upward::Linear { *y >= 0.0 } else { *y > 0.0 };
+        x.is_finite() && y.is_finite() && *x > 0.0 && above
+    };
+    shown.curves.iter_mut().chain(&mut shown.fits).for_each(|curve| curve.points.retain(has_place));
+    shown.front.retain(has_place);
+    let count = |figure: &Figure| figure.curves.iter().map(|c| c.points.len()).sum::<usize>();
+    let lost = count(figure) - count(&shown);
+    if lost > 0 {
+        shown.title = format!("{} (but for {lost} points at 0 or without end)", figure.title);
+    }
+    shown
 }
 
 fn picture<X, Y>(
@@ -75,7 +91,7 @@ where
         .axis_desc_style(FONT)
         .x_label_formatter(&across.1)
         .y_label_formatter(&up.1)
-        .light_line_style(WHITE)
+        .max_light_lines(0)
         .draw()?;
     for (i, Curve { points, .. }) in figure.curves.iter().enumerate() {
         let color = color(i, figure);
@@ -170,14 +186,17 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_place_is_refused() {
-        let one = |point| svg(&Figure::new("", "", "", vec![Curve::new("", [point])]));
-        assert!(one((1.0, 1.0)).is_ok());
+    fn what_has_no_place_is_left_out_and_told() {
+        let figure =
+            |points: &[(f64, f64)]| Figure::new("it", "", "", vec![Curve::new("", points.iter().copied())]);
         for point in [(0.0, 1.0), (1.0, 0.0), (1.0, f64::NAN), (f64::INFINITY, 1.0)] {
-            assert!(one(point).is_err(), "{point:?}");
+            let text = svg(&figure(&[point, (2.0, 3.0)])).unwrap();
+            assert!(text.contains("but for 1 points"), "{point:?}");
+            assert!(svg(&figure(&[point])).is_err(), "{point:?}");
         }
-        assert!(svg(&Figure::default()).is_err());
-        assert!(one((3.0, 1e-9)).is_ok());
+        let text = svg(&figure(&[(3.0, 1e-9)])).unwrap();
+        assert!(!text.contains("but for"));
+        assert!(svg(&Figure { upward: Upward::Linear, ..figure(&[(1.0, 0.0), (1.0, 1.0)]) }).is_ok());
     }
 
     #[test]

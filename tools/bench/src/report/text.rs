@@ -99,7 +99,7 @@ mod tests {
             name                        ms  wrong\n\
             a long name  1.50 (1.25-12.0)*      0\n\
             it                          -    none\n\
-            rate              2.00 ± 0.500  0.250\n";
+            rate             2.00 ± 0.500   0.250\n";
         assert_eq!(table.to_string().replace(" \n", "\n"), text);
     }
 
