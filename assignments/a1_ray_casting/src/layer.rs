@@ -29,6 +29,22 @@ impl<'a> Sight<'a> {
         Self { ray, hit, work_before: 0, geometry, surface: OnceCell::new() }
     }
 
+    /// Works out the surfaces of all, whether anyone will ask for them or not.
+    pub fn work_out(sights: &[Self]) {
+        for sight in sights {
+            sight.surface();
+        }
+    }
+
+    /// Counts hits whose surface was worked out, and those whose was not.
+    pub fn count(sights: &[Self], counters: &mut Counters) {
+        for sight in sights.iter().filter(|sight| sight.hit.is_some()) {
+            let asked = u64::from(sight.surface.get().is_some());
+            counters.surfaces += asked;
+            counters.skipped_surface += 1 - asked;
+        }
+    }
+
     /// The surface point of the hit.
     pub fn surface(&self) -> Option<&Surface> {
         let hit = self.hit.as_ref()?;

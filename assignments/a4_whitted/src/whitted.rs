@@ -31,6 +31,8 @@ pub struct Rules {
     pub skip_inside: bool,
     /// No secondary ray of black weight.
     pub skip_black: bool,
+    /// No surface point where a shadow ray passes something transparent, unless it has a texture.
+    pub skip_surface: bool,
 }
 
 /// The tracer: a scene, a structure that finds hits, and rules.

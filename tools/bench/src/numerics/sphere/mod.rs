@@ -11,7 +11,7 @@ use crate::growth::plot::{Curve, Upward};
 use crate::report::{Better, Cell, Figure, Row, Table};
 use crate::sample::Sample;
 use common::cli::AppError;
-use common::math::{DVec3, Vec3};
+use common::math::Vec3;
 use common::ray::Ray;
 use kernel::{Ball, KERNELS, Kernel};
 use std::hint::black_box;
@@ -157,6 +157,7 @@ fn costs(rounds: usize) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use common::math::DVec3;
 
     fn verdict(name: &str, distance: f64) -> Verdict {
         let kernel = KERNELS.iter().find(|k| k.name == name).expect("a known name");
