@@ -33,10 +33,9 @@ pub struct Counters {
     pub ended_by_roulette: u64,
     /// Camera rays not traced because their tile cannot see any object.
     pub skipped_empty_tile: u64,
-    /// Hits of camera rays, and of shadow rays through transparent things, whose point and normal
-    /// were worked out.
+    /// Hits whose point and normal were worked out.
     pub surfaces: u64,
-    /// Such hits of which no more than distance or material was wanted.
+    /// Hits of which no more than distance or material was wanted.
     pub skipped_surface: u64,
     /// Pictures rendered.
     pub pictures: u64,

@@ -138,7 +138,8 @@ impl Studio {
         }
         let needs_hit = layers.iter().any(|l| l.needs_hit());
         let one_by_one = layers.iter().any(|l| l.watches_work());
-        let every_surface = !args.general.skips(Skip::Surface);
+        let by_itself = layers.iter().any(|l| l.works_out_surfaces());
+        let every_surface = !args.general.skips(Skip::Surface) && !by_itself;
         let options = args.general.tile_options("rendering");
         let rendered = render(
             self.size,
@@ -166,7 +167,7 @@ impl Studio {
                     layer.values(&sights, counters, &mut shots.values);
                     tile.pixels().zip(&shots.values).for_each(|((x, y), value)| out.set(i, x, y, *value));
                 }
-                Sight::count(&sights, counters);
+                Sight::count(&sights, by_itself, counters);
             },
         );
         (rendered.films, rendered.counters)
@@ -198,7 +199,7 @@ impl Studio {
             for (i, layer) in layers.iter().enumerate() {
                 out.set(i, x, y, layer.value(&sight, counters));
             }
-            Sight::count(sights, counters);
+            Sight::count(sights, layers.iter().any(|l| l.works_out_surfaces()), counters);
         }
     }
 

@@ -106,4 +106,8 @@ impl Layer for WhittedColor<'_> {
     fn values(&self, sights: &[Sight], counters: &mut Counters, out: &mut [Vec3]) {
         self.whitted.radiances_of_points(sights, counters, out);
     }
+
+    fn works_out_surfaces(&self) -> bool {
+        true
+    }
 }

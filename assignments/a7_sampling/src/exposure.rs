@@ -9,7 +9,6 @@ use crate::sampler::{Pixel, Sampler, pair};
 use a1_ray_casting::{CastArgs, Sight, Studio};
 use common::accel::Accel;
 use common::camera::screen_position;
-use common::cli::Skip;
 use common::counters::Counters;
 use common::math::Vec3;
 use common::picture::{Film, Size};
@@ -175,14 +174,10 @@ impl Exposure<'_> {
         let met = desk.rays.iter().zip(&desk.hits);
         let sights: Vec<Sight> =
             met.map(|(ray, hit)| Sight::new(&self.studio.geometry, *ray, *hit)).collect();
-        if !self.cast.general.skips(Skip::Surface) {
-            Sight::work_out(&sights);
-        }
         desk.names.clear();
         desk.names.extend(every_sample(wanted));
         desk.radiances.resize(sights.len(), Vec3::ZERO);
         self.shade.radiances(&sights, &desk.names, &mut desk.counters, &mut desk.radiances);
-        Sight::count(&sights, &mut desk.counters);
         for (sample, radiance) in desk.samples.iter_mut().zip(&desk.radiances) {
             sample.color = *radiance;
         }

@@ -1,5 +1,6 @@
 //! Run time, measured. `cargo run --release -p bench -- pictures`, or `-- kernels`,
-//! `-- numerics`, `-- rays`, `-- trees`, `-- growth`, `-- sampling`, `-- simplify`; other people's work takes part
+//! `-- numerics`, `-- rays`, `-- trees`, `-- growth`, `-- sampling`, `-- simplify`,
+//! `-- skips`; other people's work takes part
 //! in `rays` and `simplify` with `cargo run --release -p bench --features peers -- rays`.
 //!
 //! What is compared is interleaved, so that a busy moment of the machine hits all alike, and
@@ -17,6 +18,7 @@ mod report;
 mod sample;
 mod sampling;
 mod simplify;
+mod skips;
 mod trees;
 mod truth;
 mod world;
@@ -61,6 +63,17 @@ enum Part {
     Sampling(sampling::Options),
     /// Error of path-traced pictures against processor time: integrators, samplers
     Path(path::Options),
+    /// What a scene does not need, and what leaving it out saves
+    Skips(skips::Options),
+    /// A command line of any assignment, several times, as a process to be timed
+    #[command(hide = true)]
+    Repeat {
+        /// Until that has taken so many milliseconds.
+        least: u64,
+        /// The command line.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        words: Vec<String>,
+    },
     /// One command line of assignment 5, as a process to be timed
     #[command(hide = true)]
     Child {
@@ -82,6 +95,8 @@ fn main() -> ExitCode {
         Part::Simplify(options) => simplify::run(&options),
         Part::Sampling(options) => sampling::run(&options),
         Part::Path(options) => path::run(&options),
+        Part::Skips(options) => skips::run(&options),
+        Part::Repeat { least, words } => skips::work(&words, least),
         Part::Child { args } => child(args),
     })
 }
