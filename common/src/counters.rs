@@ -33,6 +33,26 @@ pub struct Counters {
     pub ended_by_roulette: u64,
     /// Camera rays not traced because their tile cannot see any object.
     pub skipped_empty_tile: u64,
+    /// Hits whose point and normal were worked out.
+    pub surfaces: u64,
+    /// Hits of which no more than distance or material was wanted.
+    pub skipped_surface: u64,
+    /// Pictures rendered.
+    pub pictures: u64,
+    /// Spheres that rays are taken to by a matrix.
+    pub matrices: u64,
+    /// Spheres that need none, for no transform moves them or it was baked.
+    pub skipped_matrix: u64,
+    /// Mesh files read.
+    pub mesh_files: u64,
+    /// Uses of meshes whose file had been read for another.
+    pub skipped_mesh_file: u64,
+    /// Grids and trees built.
+    pub structures: u64,
+    /// Those not built: no ray asked, or there is too little to put into them.
+    pub skipped_structure: u64,
+    /// Samples of pixels that were good enough without.
+    pub skipped_converged: u64,
 }
 
 impl Counters {
@@ -58,5 +78,15 @@ impl AddAssign for Counters {
         self.skipped_light_specular += other.skipped_light_specular;
         self.ended_by_roulette += other.ended_by_roulette;
         self.skipped_empty_tile += other.skipped_empty_tile;
+        self.surfaces += other.surfaces;
+        self.skipped_surface += other.skipped_surface;
+        self.pictures += other.pictures;
+        self.matrices += other.matrices;
+        self.skipped_matrix += other.skipped_matrix;
+        self.mesh_files += other.mesh_files;
+        self.skipped_mesh_file += other.skipped_mesh_file;
+        self.structures += other.structures;
+        self.skipped_structure += other.skipped_structure;
+        self.skipped_converged += other.skipped_converged;
     }
 }

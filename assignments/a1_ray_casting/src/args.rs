@@ -1,7 +1,7 @@
 //! The flags of assignment 1; every later assignment flattens them into its own.
 
 use crate::{Depth, Layer, Picture};
-use common::cli::{AppError, GeneralArgs};
+use common::cli::{AppError, GeneralArgs, Skip};
 use common::picture::Size;
 use std::path::{Path, PathBuf};
 
@@ -106,10 +106,19 @@ impl CastArgs {
         Ok(Some(Depth { min, max }))
     }
 
-    /// The depth picture, if asked for. Its range has been checked by [`crate::Studio::open`].
+    /// The depth picture, if asked for, or if pictures that nobody asked for are not skipped. Its
+    /// range has been checked by [`crate::Studio::open`].
     pub fn depth_picture(&self) -> Option<Picture<'static>> {
-        let layer = self.depth_layer().ok().flatten()?;
+        let Some(layer) = self.depth_layer().ok().flatten() else {
+            return self.unasked_picture(Depth { min: 0.0, max: 1.0 });
+        };
         let path = Some(PathBuf::from(&self.depth.as_ref()?[2]));
         Some(Picture { path, layer: Box::new(layer) })
+    }
+
+    /// A picture that will not be written; none, unless such are not skipped.
+    pub fn unasked_picture<'a>(&self, layer: impl Layer + 'a) -> Option<Picture<'a>> {
+        let wanted = !self.general.skips(Skip::Pictures);
+        wanted.then(|| Picture { path: None, layer: Box::new(layer) })
     }
 }

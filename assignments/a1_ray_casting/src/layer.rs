@@ -29,6 +29,23 @@ impl<'a> Sight<'a> {
         Self { ray, hit, work_before: 0, geometry, surface: OnceCell::new() }
     }
 
+    /// Works out the surfaces of all, whether anyone will ask for them or not.
+    pub fn work_out(sights: &[Self]) {
+        for sight in sights {
+            sight.surface();
+        }
+    }
+
+    /// Counts hits whose surface was worked out and, unless a layer works them out by itself,
+    /// those whose was not.
+    pub fn count(sights: &[Self], by_itself: bool, counters: &mut Counters) {
+        for sight in sights.iter().filter(|sight| sight.hit.is_some()) {
+            let asked = sight.surface.get().is_some();
+            counters.surfaces += u64::from(asked);
+            counters.skipped_surface += u64::from(!asked && !by_itself);
+        }
+    }
+
     /// The surface point of the hit.
     pub fn surface(&self) -> Option<&Surface> {
         let hit = self.hit.as_ref()?;
@@ -52,6 +69,12 @@ pub trait Layer: Sync {
     /// Whether it looks at the nearest hit at all; if no layer does, none is searched for.
     fn needs_hit(&self) -> bool {
         true
+    }
+
+    /// Whether it works out the surface of every hit by itself instead of asking the sight for it,
+    /// and counts that.
+    fn works_out_surfaces(&self) -> bool {
+        false
     }
 
     /// Whether it looks at [`Sight::work_before`], so that every camera ray must be traced alone.

@@ -79,7 +79,7 @@ impl Report {
         self.phases.iter().filter(|(name, _)| *name == phase).map(|(_, t)| t.as_secs_f64()).sum()
     }
 
-    fn skipped(&self) -> [(&'static str, u64); 7] {
+    fn skipped(&self) -> [(&'static str, u64); 17] {
         let c = &self.counters;
         [
             ("decided in double precision", c.exact_tests),
@@ -89,6 +89,16 @@ impl Report {
             ("skipped: shadow rays, inside a body", c.skipped_shadow_inside),
             ("skipped: secondary rays, black", c.skipped_black_secondary),
             ("dropped: secondary rays, weight", c.skipped_below_weight),
+            ("surface points worked out", c.surfaces),
+            ("skipped: surface points, not wanted", c.skipped_surface),
+            ("pictures rendered", c.pictures),
+            ("spheres with a matrix", c.matrices),
+            ("skipped: matrices, baked or none", c.skipped_matrix),
+            ("mesh files read", c.mesh_files),
+            ("skipped: mesh files, read before", c.skipped_mesh_file),
+            ("structures built", c.structures),
+            ("skipped: structures, not needed", c.skipped_structure),
+            ("skipped: samples, error small", c.skipped_converged),
         ]
     }
 }

@@ -7,11 +7,11 @@ use common::atomic::{self, place};
 use common::camera::{Camera, screen_position};
 use common::cli::{self, AppError, SimdChoice, Skip};
 use common::counters::Counters;
-use common::geometry::{Geometry, Hit};
+use common::geometry::{Geometry, Hit, SolidShape};
 use common::math::Vec3;
 use common::picture::{Film, Size, Transfer, check_output, write};
 use common::ray::Ray;
-use common::scene::{self, Material, Scene};
+use common::scene::{self, Material, Node, NodeKind, Scene, ShapeSpec};
 use common::simd;
 use common::tiles::{Tile, TileLayers, render};
 use std::path::{Path, PathBuf};
@@ -76,10 +76,12 @@ impl Studio {
         choose_instructions(args)?;
         check_outputs(args, outputs, size)?;
         let mut report = Report { size: Some(size), ..Report::default() };
-        let scene = report.time("read", || scene::load(&args.input))?;
+        let sharing = args.general.skips(Skip::Shared);
+        let scene = report.time("read", || scene::load_sharing(&args.input, sharing))?;
         let located = |e| AppError::Usage(format!("{}:{e}", args.input.display()));
         let geometry = report.time("prepare", || Geometry::build(&scene)).map_err(located)?;
         report.bounds = geometry.bounds();
+        report.counters += prepared(&scene, &geometry);
         let camera = Camera::new(&scene.camera);
         Ok((Self { scene, geometry, camera, size }, report))
     }
@@ -114,6 +116,7 @@ impl Studio {
         let layers: Vec<&dyn Layer> = pictures.iter().map(|p| &*p.layer).collect();
         let (mut films, counters) = report.time("render", || self.render(args, accel, &layers));
         report.counters += counters;
+        report.counters.pictures += layers.len() as u64;
         for (layer, film) in layers.iter().zip(&mut films) {
             let Some(note) = layer.develop(film) else { continue };
             if args.general.program.verbose {
@@ -135,6 +138,8 @@ impl Studio {
         }
         let needs_hit = layers.iter().any(|l| l.needs_hit());
         let one_by_one = layers.iter().any(|l| l.watches_work());
+        let by_itself = layers.iter().any(|l| l.works_out_surfaces());
+        let every_surface = !args.general.skips(Skip::Surface) && !by_itself;
         let options = args.general.tile_options("rendering");
         let rendered = render(
             self.size,
@@ -145,6 +150,7 @@ impl Studio {
                 self.aim(tile, shots);
                 let search = needs_hit && !self.skips(args, tile, tile.area() as u64, counters);
                 if one_by_one {
+                    let search = search.then_some(every_surface);
                     return self.look_one_by_one(accel, layers, search, tile, shots, counters, out);
                 }
                 if search {
@@ -153,24 +159,29 @@ impl Studio {
                 let met = shots.rays.iter().zip(&shots.hits);
                 let sights: Vec<Sight> =
                     met.map(|(ray, hit)| Sight::new(&self.geometry, *ray, *hit)).collect();
+                if every_surface {
+                    Sight::work_out(&sights);
+                }
                 shots.values.resize(sights.len(), Vec3::ZERO);
                 for (i, layer) in layers.iter().enumerate() {
                     layer.values(&sights, counters, &mut shots.values);
                     tile.pixels().zip(&shots.values).for_each(|((x, y), value)| out.set(i, x, y, *value));
                 }
+                Sight::count(&sights, by_itself, counters);
             },
         );
         (rendered.films, rendered.counters)
     }
 
     /// Traces and looks at one ray of a tile after the other, so that what has been counted since
-    /// was done for it.
+    /// was done for it. Hits are looked for if `search` is there, and their surfaces worked out
+    /// unasked if it is true.
     #[expect(clippy::too_many_arguments, reason = "the second half of a closure")]
     fn look_one_by_one(
         &self,
         accel: &dyn Accel,
         layers: &[&dyn Layer],
-        search: bool,
+        search: Option<bool>,
         tile: Tile,
         shots: &TileRays,
         counters: &mut Counters,
@@ -178,12 +189,17 @@ impl Studio {
     ) {
         for ((x, y), ray) in tile.pixels().zip(&shots.rays) {
             let work_before = counters.work();
-            let hit = if search { accel.nearest(ray, self.camera.interval, counters) } else { None };
+            let hit = search.and_then(|_| accel.nearest(ray, self.camera.interval, counters));
             let mut sight = Sight::new(&self.geometry, *ray, hit);
             sight.work_before = work_before;
+            let sights = std::slice::from_ref(&sight);
+            if search == Some(true) {
+                Sight::work_out(sights);
+            }
             for (i, layer) in layers.iter().enumerate() {
                 out.set(i, x, y, layer.value(&sight, counters));
             }
+            Sight::count(sights, layers.iter().any(|l| l.works_out_surfaces()), counters);
         }
     }
 
@@ -217,6 +233,21 @@ impl Studio {
         let corner = |x: u32, y: u32| screen_position(self.size, f64::from(x), f64::from(y));
         let (low, high) = (corner(tile.x0, tile.y0), corner(tile.x1, tile.y1));
         self.geometry.bounds().is_some_and(|b| !self.camera.may_see(low, high, &b))
+    }
+}
+
+/// What reading and baking a scene came to.
+fn prepared(scene: &Scene, geometry: &Geometry) -> Counters {
+    let is_mesh = |node: &&Node| matches!(node.kind, NodeKind::Shape { shape: ShapeSpec::Mesh { .. }, .. });
+    let (uses, files) = (scene.nodes.iter().filter(is_mesh).count(), scene.meshes.len());
+    let solids = geometry.solids();
+    let matrices = solids.iter().filter(|s| matches!(s.shape, SolidShape::Ellipsoid(_))).count();
+    Counters {
+        mesh_files: files as u64,
+        skipped_mesh_file: uses.saturating_sub(files) as u64,
+        matrices: matrices as u64,
+        skipped_matrix: (solids.len() - matrices) as u64,
+        ..Counters::default()
     }
 }
 

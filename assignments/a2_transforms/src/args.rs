@@ -47,7 +47,8 @@ impl DiffuseArgs {
 
     /// All pictures but the colour picture.
     pub fn side_pictures(&self) -> Vec<Picture<'static>> {
-        self.cast.depth_picture().into_iter().chain(picture(&self.normals, Normals)).collect()
+        let normals = picture(&self.normals, Normals).or_else(|| self.cast.unasked_picture(Normals));
+        self.cast.depth_picture().into_iter().chain(normals).collect()
     }
 
     /// The lights of a scene, seen with these flags.

@@ -115,6 +115,7 @@ impl WhittedArgs {
                 skip_dark: skips(Skip::Dark),
                 skip_inside: skips(Skip::Inside),
                 skip_black: skips(Skip::Black),
+                skip_surface: skips(Skip::Surface),
             },
         }
     }

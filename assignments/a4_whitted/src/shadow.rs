@@ -176,7 +176,7 @@ impl Whitted<'_> {
     fn filtered(&self, ray: &Ray, mut interval: Interval, counters: &mut Counters) -> Vec3 {
         let mut share = Vec3::ONE;
         while let Some(hit) = self.accel.nearest(ray, interval, counters) {
-            share *= self.transparency(ray, &hit);
+            share *= self.transparency(ray, &hit, counters);
             if share == Vec3::ZERO {
                 break;
             }
@@ -186,11 +186,17 @@ impl Whitted<'_> {
     }
 
     /// The transparent colour of what was hit. Only a texture needs the point.
-    fn transparency(&self, ray: &Ray, hit: &Hit) -> Vec3 {
+    fn transparency(&self, ray: &Ray, hit: &Hit, counters: &mut Counters) -> Vec3 {
         let geometry = self.accel.geometry();
         match self.scene.plain(geometry.material(hit.primitive)) {
-            Some(material) => material.transparent,
-            None => self.scene.at(&geometry.surface(ray, hit)).blend(|m| m.transparent),
+            Some(material) if self.rules.skip_surface => {
+                counters.skipped_surface += 1;
+                material.transparent
+            }
+            _ => {
+                counters.surfaces += 1;
+                self.scene.at(&geometry.surface(ray, hit)).blend(|m| m.transparent)
+            }
         }
     }
 }

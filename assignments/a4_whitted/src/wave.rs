@@ -115,6 +115,7 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
                 *radiance += branch.throughput * whitted.scene.as_scene().background.color;
                 continue;
             };
+            self.counters.surfaces += 1;
             let surface = &geometry.surface(&branch.ray, hit);
             let mixture = whitted.scene.at(surface);
             let departure = surface.departure();

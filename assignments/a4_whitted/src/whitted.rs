@@ -31,6 +31,8 @@ pub struct Rules {
     pub skip_inside: bool,
     /// No secondary ray of black weight.
     pub skip_black: bool,
+    /// No surface point where a shadow ray passes something transparent, unless it has a texture.
+    pub skip_surface: bool,
 }
 
 /// The tracer: a scene, a structure that finds hits, and rules.
@@ -103,5 +105,9 @@ impl Layer for WhittedColor<'_> {
 
     fn values(&self, sights: &[Sight], counters: &mut Counters, out: &mut [Vec3]) {
         self.whitted.radiances_of_points(sights, counters, out);
+    }
+
+    fn works_out_surfaces(&self) -> bool {
+        true
     }
 }

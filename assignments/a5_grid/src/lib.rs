@@ -19,7 +19,7 @@ pub use voxelise::Fit;
 
 use a1_ray_casting::{Picture, Report, Studio};
 use common::accel::List;
-use common::cli::AppError;
+use common::cli::{AppError, Skip};
 use common::math::{Bounds, Vec3};
 
 /// The whole program: reads the scene, renders what was asked for, writes it.
@@ -37,6 +37,7 @@ pub fn run(args: &GridArgs) -> Result<(), AppError> {
     }
     let accel = report.time("build", || args.structure(&studio.geometry, cells))?;
     report.notes.push(accel.describe());
+    report.counters.structures += accel.built();
     a4_whitted::shoot(&args.whitted, &studio, &studio.scene, accel.as_accel(), report)
 }
 
@@ -60,13 +61,16 @@ pub fn picture_of_cells(
     let occupied = counts.iter().filter(|n| **n > 0).count();
     report.notes.push(format!("grid: {occupied} of {} cells occupied", cells.len()));
     let side = args.whitted.phong.diffuse.side_pictures();
-    let structure = match side.is_empty() {
+    let needless = side.is_empty() && args.cast().general.skips(Skip::Lazy);
+    let structure = match needless {
         true => {
+            report.counters.skipped_structure += 1;
             report.notes.push("skipped: a structure for hits, no picture needs one".to_owned());
             Structure::List(List::new(&studio.geometry))
         }
         false => args.structure(&studio.geometry, Some(cells.clone()))?,
     };
+    report.counters.structures += structure.built();
     let light = args.whitted.phong.diffuse.local_light(&studio.scene);
     let layer = CellPicture { cells: &cells, counts: &counts, light, interval: studio.camera.interval };
     let mut pictures = side;

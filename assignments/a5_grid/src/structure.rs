@@ -20,6 +20,11 @@ impl Structure<'_> {
         }
     }
 
+    /// How many structures were built: a list is none.
+    pub fn built(&self) -> u64 {
+        u64::from(matches!(self, Self::Grid(_)))
+    }
+
     /// What was built, for `-stats`.
     pub fn describe(&self) -> String {
         match self {

@@ -7,7 +7,7 @@ use crate::tracer::{Tracer, finite};
 use a1_ray_casting::{CastArgs, Picture, Report, Studio};
 use a5_grid::{Cells, GridArgs, Structure};
 use common::accel::{Accel, List};
-use common::cli::{self, AppError};
+use common::cli::{self, AppError, Skip};
 use common::geometry::Geometry;
 use std::path::PathBuf;
 
@@ -208,21 +208,26 @@ impl AccelArgs {
         geometry: &'g Geometry,
         cells: Option<Cells>,
     ) -> Result<Tracer<'g>, AppError> {
+        let skips = |kind| self.cast().general.skips(kind);
         let choice = match (self.accel, &cells) {
             _ if self.takes_tree() => Choice::Kdtree,
             (Choice::Auto, Some(_)) if !self.fastest => Choice::Grid,
-            (Choice::Auto, _) if finite(geometry) < WORTH_A_TREE => Choice::List,
+            (Choice::Auto, _) if finite(geometry) < WORTH_A_TREE && skips(Skip::Handful) => Choice::List,
             (Choice::Auto, _) if Instances::pay(geometry) => Choice::Instances,
             (Choice::Auto, _) => Choice::Bvh,
             (choice, _) => choice,
         };
-        Ok(match choice {
+        let tracer = match choice {
             Choice::Kdtree => Tracer::with_kd_tree(geometry, self.threads(), self.options()),
             Choice::Bvh => Tracer::with_bvh(geometry, self.threads()),
             Choice::Instances => Tracer::with_instances(geometry, self.threads()),
             Choice::Grid => Tracer::Lower(self.grid.structure(geometry, cells)?),
             _ => Tracer::Lower(Structure::List(List::new(geometry))),
-        })
+        };
+        if !skips(Skip::Lazy) {
+            tracer.build();
+        }
+        Ok(tracer)
     }
 
     /// Threads that build a large tree.

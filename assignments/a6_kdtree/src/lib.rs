@@ -121,6 +121,7 @@ fn draw_by(step: &dyn Step, args: &AccelArgs, studio: &Studio, mut report: Repor
         None => draw_scene(args, studio, &scene, &tracer, step, &mut report)?,
     }
     report.cells = tracer.cells();
+    tracer.count(&mut report.counters);
     report.notes.extend(tracer.figures(&report.counters));
     report.print_if_wanted(args.cast());
     Ok(())

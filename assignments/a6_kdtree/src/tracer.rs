@@ -81,6 +81,41 @@ impl<'g> Tracer<'g> {
         }
     }
 
+    /// Builds all that waits for a ray, and in two levels what waits below.
+    pub fn build(&self) {
+        match self {
+            Self::Lower(_) => {}
+            Self::KdTree(tree, _) => {
+                tree.get();
+            }
+            Self::Bvh(bvh) => {
+                bvh.get();
+            }
+            Self::Instances(levels) => levels.get().build_all(),
+        }
+    }
+
+    /// Structures built, and structures not built because no ray asked or because the scene is
+    /// too small.
+    pub fn count(&self, counters: &mut Counters) {
+        let (built, waiting) = match self {
+            Self::Lower(Structure::List(_)) => (0, 1),
+            Self::Lower(grid) => (grid.built(), 0),
+            Self::KdTree(tree, _) => (u64::from(tree.built().is_some()), u64::from(tree.built().is_none())),
+            Self::Bvh(bvh) => (u64::from(bvh.built().is_some()), u64::from(bvh.built().is_none())),
+            Self::Instances(levels) => match levels.built() {
+                None => (0, 1),
+                Some((levels, _)) => {
+                    let s = levels.summary();
+                    // The one at the top, too.
+                    (s.built as u64 + 1, (s.trees - s.built) as u64)
+                }
+            },
+        };
+        counters.structures += built;
+        counters.skipped_structure += waiting;
+    }
+
     /// Cells along each axis if it is a grid.
     pub fn cells(&self) -> Option<[u32; 3]> {
         match self {

@@ -7,7 +7,7 @@ use crate::numbers::Numbers;
 use crate::outputs::Outputs;
 use crate::path::{PathTracer, Rules};
 use crate::plan::Plan;
-use crate::render::{End, Estimator, Pace, Rendering, Tally};
+use crate::render::{End, Estimator, Pace, Rendering, Tally, spared, trace_spared};
 use crate::{Integrator, PathArgs};
 use a1_ray_casting::{Report, Studio};
 use a6_kdtree::texture::TexturedScene;
@@ -134,9 +134,31 @@ impl PathArgs {
             })
         });
         report.counters += tally.counters;
+        if tally.end != End::Stopped && plan.goal.time.is_none() {
+            self.count_spared(estimator, &sums, &rendering, report);
+        }
         report.notes.extend(notes(&tally, &sums));
         tell_of_end(&tally, &sums)?;
         report.time("write", || outputs.write(&identity, &sums))
+    }
+}
+
+impl PathArgs {
+    /// Counts the samples that pixels were spared; or traces them, if they are not to be skipped.
+    fn count_spared<E: Estimator>(
+        &self,
+        estimator: &E,
+        sums: &Sums,
+        rendering: &Rendering,
+        report: &mut Report,
+    ) {
+        if self.cast().general.skips(Skip::Converged) {
+            report.counters.skipped_converged += spared(sums, &rendering.goal);
+            return;
+        }
+        let trace = || trace_spared(estimator, sums, &rendering.goal, &rendering.options);
+        let counters = report.time("samples that were not needed", trace);
+        report.counters += counters;
     }
 }
 

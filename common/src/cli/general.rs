@@ -104,4 +104,16 @@ pub enum Skip {
     Black,
     /// Lights chosen for mirrors and glass, which send nothing on between two given directions
     Specular,
+    /// Points and normals of hits of which no more than distance or material is wanted
+    Surface,
+    /// Pictures of depth and of normals that nobody asked for
+    Pictures,
+    /// Mesh files that were read already, and trees over them that are there
+    Shared,
+    /// Structures that no ray asks for
+    Lazy,
+    /// A tree over a handful of primitives
+    Handful,
+    /// Samples of pixels that are good enough (-adaptive, -error)
+    Converged,
 }

@@ -46,10 +46,19 @@ impl MeshSource for Arc<Mesh> {
 /// If the file cannot be read, is larger than 256 MiB, is not UTF-8 or not a scene, or
 /// if a mesh it names cannot be read or a picture it names is not there.
 pub fn load(path: &Path) -> Result<Scene, SceneError> {
+    load_sharing(path, true)
+}
+
+/// The same; without `sharing` a mesh file is read as often as the scene mentions it, and the
+/// scene keeps every copy. Takes longer, and changes nothing else.
+///
+/// # Errors
+/// Those of [`load`].
+pub fn load_sharing(path: &Path, sharing: bool) -> Result<Scene, SceneError> {
     let name = path.display().to_string();
     let bytes = read(path).map_err(|error| unreadable(path, &error))?;
     let text = decode(&name, bytes)?;
-    parse_str(&name, &text, &mut Folder::of(path))
+    parse_str(&name, &text, &mut Folder::of(path, sharing))
 }
 
 /// Parses the text of a scene file; `name` is used in error messages.
@@ -121,13 +130,16 @@ fn decode(name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
 /// The file system, seen from a scene file's folder.
 struct Folder {
     folder: PathBuf,
+    /// Whether what was read is given again.
+    sharing: bool,
     by_name: HashMap<String, Arc<Mesh>>,
     by_file: HashMap<PathBuf, Arc<Mesh>>,
 }
 
 impl Folder {
-    fn of(scene: &Path) -> Self {
+    fn of(scene: &Path, sharing: bool) -> Self {
         Self {
+            sharing,
             folder: scene.parent().unwrap_or(Path::new("")).to_owned(),
             by_name: HashMap::new(),
             by_file: HashMap::new(),
@@ -157,6 +169,9 @@ impl MeshSource for Folder {
             return Ok(Arc::clone(mesh));
         }
         let path = self.resolve(name).map_err(MeshError::new)?;
+        if !self.sharing {
+            return Ok(Arc::new(read_obj(&path)?));
+        }
         let key = path.canonicalize().unwrap_or_else(|_| path.clone());
         let mesh = match self.by_file.get(&key) {
             Some(mesh) => Arc::clone(mesh),

@@ -23,7 +23,7 @@ mod suggest;
 pub use camera::{CameraKind, CameraSpec, Lens, Screen};
 pub use diagnostic::SceneError;
 pub use light::{LightKind, LightSpec};
-pub use load::{MeshSource, load, parse_str};
+pub use load::{MeshSource, load, load_sharing, parse_str};
 pub use material::{ImageTexture, Material, PhongMaterial, SolidTexture, SolidTextureKind};
 pub use node::{Disc, Node, NodeKind, ShapeSpec, Xform};
 

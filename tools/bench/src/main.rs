@@ -23,6 +23,7 @@ mod report;
 mod sample;
 mod sampling;
 mod simplify;
+mod skips;
 mod startup;
 mod statistics;
 mod trees;
@@ -57,6 +58,9 @@ enum Task {
     /// One command line of an assignment, as a process to be timed
     #[command(hide = true)]
     Child {
+        /// Again and again until that has taken so many milliseconds
+        #[arg(long, default_value_t = 0)]
+        least: u64,
         /// The program's name and its arguments.
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         words: Vec<String>,
@@ -69,6 +73,6 @@ fn main() -> ExitCode {
         Task::All(options) => all::run(&options),
         Task::Compare(options) => compare::run(&options),
         Task::Part(part) => part::run(&part, program.results.as_deref()),
-        Task::Child { words } => child::run(&words),
+        Task::Child { least, words } => child::run(&words, least),
     })
 }

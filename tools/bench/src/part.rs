@@ -1,7 +1,7 @@
 //! The parts: what can be measured by itself.
 
 use crate::report::{Section, csv};
-use crate::{growth, kernels, numerics, path, pictures, rays, sampling, simplify, startup, trees};
+use crate::{growth, kernels, numerics, path, pictures, rays, sampling, simplify, skips, startup, trees};
 use common::cli::{self, AppError};
 use std::path::Path;
 
@@ -28,6 +28,8 @@ pub enum Part {
     Sampling(sampling::Options),
     /// Error of path-traced pictures against processor time: integrators, samplers
     Path(path::Options),
+    /// What a scene does not need, and what leaving it out saves
+    Skips(skips::Options),
 }
 
 impl Part {
@@ -47,6 +49,7 @@ impl Part {
             Self::Simplify(options) => simplify::measure(options),
             Self::Sampling(options) => sampling::measure(options),
             Self::Path(options) => path::measure(options),
+            Self::Skips(options) => skips::measure(options),
         }
     }
 }

@@ -96,6 +96,13 @@ impl<'g> Instances<'g> {
         triangles.sum::<usize>() >= WORTH_TWO_LEVELS
     }
 
+    /// Builds every tree that is not there yet.
+    pub fn build_all(&self) {
+        (0..self.trees.len()).for_each(|index| {
+            self.tree(index);
+        });
+    }
+
     /// The tree of one part, built now if it is not there yet.
     fn tree(&self, index: usize) -> &Bvh<'g> {
         self.trees[index].get(self.geometry, self.threads)

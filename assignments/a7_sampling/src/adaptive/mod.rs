@@ -13,7 +13,7 @@ pub use survey::Survey;
 use crate::exposure::{Exposure, Sample, Watch};
 use crate::film::Negative;
 use crate::sampler::Pixel;
-use common::cli::AppError;
+use common::cli::{AppError, Skip};
 use common::counters::Counters;
 use common::picture::Film;
 use std::ops::Range;
@@ -68,7 +68,22 @@ impl Adaptive {
         }
         let mut film = Film::new(size);
         negative.develop(0, &mut film);
+        counters += self.spared(exposure, &survey);
         Ok((film, survey, counters))
+    }
+
+    /// The samples that pixels were spared, counted; or traced and forgotten, if they are not to
+    /// be skipped.
+    fn spared(&self, exposure: &Exposure, survey: &Survey) -> Counters {
+        let (counts, size) = (survey.counts(), exposure.studio.size);
+        if exposure.cast.general.skips(Skip::Converged) {
+            let skipped_converged = counts.iter().map(|n| u64::from(self.most - n)).sum();
+            return Counters { skipped_converged, ..Counters::default() };
+        }
+        let mut forgotten = Negative::new(size, exposure.kernel);
+        forgotten.extend_to(size.height());
+        let which = |(x, y): Pixel| counts[y as usize * size.width() as usize + x as usize]..self.most;
+        exposure.expose(&mut forgotten, 0..size.height(), &which, None)
     }
 
     /// The samples that a pixel gets next.

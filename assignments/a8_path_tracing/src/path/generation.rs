@@ -49,6 +49,7 @@ impl PathTracer<'_> {
             match hit {
                 None => self.escape(&ray, &path, generation, found),
                 Some(hit) => {
+                    counters.surfaces += 1;
                     let surface = self.studio.geometry.surface(&ray, &hit);
                     self.meet(scratch, &ray, path, hit.t, &surface, generation, counters, found);
                 }

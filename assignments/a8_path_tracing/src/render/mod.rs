@@ -9,8 +9,10 @@ mod pace;
 mod pass;
 mod rendering;
 mod schedule;
+mod spared;
 
 pub use estimator::Estimator;
 pub use pace::Pace;
 pub use rendering::{End, Rendering, Tally};
 pub use schedule::Goal;
+pub use spared::{spared, trace_spared};

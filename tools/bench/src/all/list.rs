@@ -15,7 +15,7 @@ pub struct Entry {
 
 /// Name, flags of a quick run, flags of a full one. All quick ones together are to take less than
 /// two minutes on two cores.
-const ALL: [(&str, &str, &str); 10] = [
+const ALL: [(&str, &str, &str); 11] = [
     ("pictures", "--rounds 7", ""),
     ("startup", "--rounds 5", ""),
     ("kernels", "--rounds 7", ""),
@@ -34,6 +34,7 @@ const ALL: [(&str, &str, &str); 10] = [
         "--meshes part5k,terrain10k --sizes sphere1k,sphere4k,sphere16k --rounds 3 --samples 20000",
         "",
     ),
+    ("skips", "--quick", ""),
 ];
 
 /// All parts, or those of these names in the order of the list.

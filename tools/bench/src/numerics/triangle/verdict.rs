@@ -29,15 +29,16 @@ pub struct Verdict {
     pub error: Sample,
 }
 
-/// The nearest wall by double precision: certain, and possible within its rounding.
+/// The nearest wall by double precision: that which is certain, and those before it that are
+/// possible within its rounding, since the ray touches an edge.
 struct Nearest {
     certain: f64,
-    possible: f64,
+    possible: Vec<f64>,
 }
 
 fn truth(world: &World, ray: &Ray) -> Nearest {
     let line = Line::new(ray);
-    let mut nearest = Nearest { certain: f64::INFINITY, possible: f64::INFINITY };
+    let mut nearest = Nearest { certain: f64::INFINITY, possible: Vec::new() };
     for triangle in 0..world.triangles() as u32 {
         let corners = world.corners(triangle);
         let [u, v, w] = line.volumes(corners);
@@ -49,12 +50,15 @@ fn truth(world: &World, ray: &Ray) -> Nearest {
         }
         let t = line.crosses_plane(corners);
         if t > 0.0 && t.is_finite() {
-            nearest.possible = nearest.possible.min(t);
             if least > vague || most < -vague {
                 nearest.certain = nearest.certain.min(t);
+            } else {
+                nearest.possible.push(t);
             }
         }
     }
+    let certain = nearest.certain;
+    nearest.possible.retain(|t| *t < certain);
     nearest
 }
 
@@ -90,8 +94,8 @@ impl Verdict {
             // Counted as missed.
             return;
         }
-        let error = |truth: f64| ((t - truth) / truth).abs();
-        let error = error(nearest.possible).min(error(nearest.certain));
+        let error = |truth: &f64| ((t - truth) / truth).abs();
+        let error = nearest.possible.iter().map(error).fold(error(&nearest.certain), f64::min);
         // Ordered so that NaN is astray.
         if error <= FAR_OFF {
             self.error.add(error / EPS);
