@@ -1,5 +1,5 @@
 //! Run time, measured. `cargo run --release -p bench -- pictures`, or `-- kernels`,
-//! `-- rays`, `-- trees`, `-- growth`, `-- sampling`, `-- simplify`; other people's work takes part
+//! `-- rays`, `-- trees`, `-- growth`, `-- sampling`, `-- simplify`, `-- stress`; other people's work takes part
 //! in `rays` and `simplify` with `cargo run --release -p bench --features peers -- rays`.
 //!
 //! What is compared is interleaved, so that a busy moment of the machine hits all alike, and
@@ -16,6 +16,7 @@ mod report;
 mod sample;
 mod sampling;
 mod simplify;
+mod stress;
 mod trees;
 mod truth;
 mod world;
@@ -58,6 +59,10 @@ enum Part {
     Sampling(sampling::Options),
     /// Error of path-traced pictures against processor time: integrators, samplers
     Path(path::Options),
+    /// The promises of accuracy, tried: what, how often, how near to what is allowed
+    Stress(stress::Options),
+    /// A trial that failed once more, or one ray through every structure
+    Replay(stress::Replay),
     /// One command line of assignment 5, as a process to be timed
     #[command(hide = true)]
     Child {
@@ -68,6 +73,7 @@ enum Part {
 }
 
 fn main() -> ExitCode {
+    ::stress::input::serve();
     let program = Program::parse();
     cli::run(|| match program.part {
         Part::Pictures { rounds } => pictures::run(rounds.max(1)),
@@ -78,6 +84,8 @@ fn main() -> ExitCode {
         Part::Simplify(options) => simplify::run(&options),
         Part::Sampling(options) => sampling::run(&options),
         Part::Path(options) => path::run(&options),
+        Part::Stress(options) => stress::run(&options),
+        Part::Replay(options) => stress::replay(&options),
         Part::Child { args } => child(args),
     })
 }
