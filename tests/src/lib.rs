@@ -5,7 +5,6 @@
 //! * [`mod@reference`]: draws the same pictures with the double-precision oracle, and keeps them in
 //!   `tests/references`;
 //! * [`chance`]: what pictures of random samples must look like;
-//! * [`property`]: trials, oracles and shapes of the numbered properties;
 //! * [`stage`]: renders scenes through any structure, for comparisons to the last bit;
 //! * [`binary`] and [`mod@battery`]: run the real programs, on good and on hostile input. The
 //!   `tests/cli.rs` of every assignment uses them.
@@ -16,7 +15,6 @@ pub mod chance;
 mod command_line;
 pub mod cost;
 pub mod program;
-pub mod property;
 pub mod reference;
 pub mod stage;
 

@@ -26,6 +26,7 @@ mod simplify;
 mod skips;
 mod startup;
 mod statistics;
+mod stress;
 mod trees;
 mod truth;
 mod world;
@@ -55,6 +56,8 @@ enum Task {
     Compare(compare::Options),
     #[command(flatten)]
     Part(Part),
+    /// A trial that failed once more, or one ray through every structure
+    Replay(stress::Replay),
     /// One command line of an assignment, as a process to be timed
     #[command(hide = true)]
     Child {
@@ -68,11 +71,14 @@ enum Task {
 }
 
 fn main() -> ExitCode {
+    // Damaged input is tried by this very program, started again.
+    ::stress::input::serve();
     let program = Program::parse();
     cli::run(|| match program.task {
         Task::All(options) => all::run(&options),
         Task::Compare(options) => compare::run(&options),
         Task::Part(part) => part::run(&part, program.results.as_deref()),
+        Task::Replay(options) => stress::replay(&options),
         Task::Child { least, words } => child::run(&words, least),
     })
 }

@@ -1,7 +1,9 @@
 //! The parts: what can be measured by itself.
 
 use crate::report::{Section, csv};
-use crate::{growth, kernels, numerics, path, pictures, rays, sampling, simplify, skips, startup, trees};
+use crate::{
+    growth, kernels, numerics, path, pictures, rays, sampling, simplify, skips, startup, stress, trees,
+};
 use common::cli::{self, AppError};
 use std::path::Path;
 
@@ -28,6 +30,8 @@ pub enum Part {
     Sampling(sampling::Options),
     /// Error of path-traced pictures against processor time: integrators, samplers
     Path(path::Options),
+    /// The promises of accuracy, tried: what, how often, how near to what is allowed
+    Stress(stress::Options),
     /// What a scene does not need, and what leaving it out saves
     Skips(skips::Options),
 }
@@ -49,6 +53,7 @@ impl Part {
             Self::Simplify(options) => simplify::measure(options),
             Self::Sampling(options) => sampling::measure(options),
             Self::Path(options) => path::measure(options),
+            Self::Stress(options) => stress::measure(options),
             Self::Skips(options) => skips::measure(options),
         }
     }

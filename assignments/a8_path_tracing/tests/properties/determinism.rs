@@ -1,10 +1,9 @@
-//! Property 16: the same picture, bit for bit, however the work is dealt out.
+//! Property 16 by the program itself: the same picture, bit for bit, with any instructions.
 
-use crate::stage::{Stage, obj, scene};
-use common::tiles::TileOptions;
 use std::fs;
+use stress::kit::lumpy_sphere;
+use stress::light::stage::{obj, scene};
 use tests::binary::{Binary, Scratch};
-use tests::property::lumpy_sphere;
 
 const PROGRAM: Binary = Binary { path: env!("CARGO_BIN_EXE_a8_path_tracing"), assignment: 8 };
 
@@ -34,45 +33,6 @@ fn everything() -> String {
 
 fn lumps() -> Vec<u8> {
     obj(&lumpy_sphere(3, 7)).into_bytes()
-}
-
-fn stage(flags: &str) -> Stage {
-    Stage::new(&everything(), &[("lumps.obj", &lumps())], &format!("-size 37 23 -spp 12 {flags}"))
-}
-
-#[test]
-fn p16_threads_and_tiles_change_no_bit() {
-    let stage = stage("");
-    let (expected, counted) = stage.sums(4, &[12]);
-    for threads in [1, 2, 3, 7] {
-        for tile in [4, 8, 16, 32] {
-            let options = TileOptions { threads: Some(threads), tile: Some(tile), ..TileOptions::default() };
-            let (sums, counters) = stage.sums_with(4, &[12], options);
-            assert!(sums == expected, "{threads} threads, tiles of {tile}");
-            let work = |c: common::counters::Counters| (c.rays, c.shadow_rays, c.ended_by_roulette);
-            assert_eq!(work(counters), work(counted), "{threads} threads, tiles of {tile}");
-        }
-    }
-    assert!(stage.sums(5, &[12]).0 != expected, "another seed, another picture");
-}
-
-#[test]
-fn p16_the_way_samples_are_dealt_out_changes_no_bit() {
-    for flags in ["", "-sampler random", "-sampler halton", "-integrator naive", "-sampler multi_jittered"] {
-        let stage = stage(flags);
-        let expected = stage.sums(4, &[12]).0;
-        for ends in [&[5, 12][..], &[1, 2, 11, 12], &[3, 4, 5, 6, 7, 12]] {
-            assert!(stage.sums(4, ends).0 == expected, "{flags} {ends:?}");
-        }
-    }
-}
-
-#[test]
-fn p16_structures_change_no_bit() {
-    let expected = stage("-accel list").sums(4, &[12]).0;
-    for accel in ["bvh", "kdtree", "grid -grid 5 6 7"] {
-        assert!(stage(&format!("-accel {accel}")).sums(4, &[12]).0 == expected, "{accel}");
-    }
 }
 
 /// The program's float picture with an instruction set; `None` if the machine has it not.

@@ -1,6 +1,6 @@
 //! What is not done because it could not matter, counted; and that it does not matter.
 
-use crate::stage::{Stage, scene};
+use stress::light::stage::{Stage, scene};
 
 const DOWN: &str = "OrthographicCamera { center 0 1 0  direction 0 -1 0  up 0 0 -1  size 0.5 }";
 const FLOOR: &str = "Plane { normal 0 1 0 offset 0 }";

@@ -15,7 +15,7 @@ pub struct Entry {
 
 /// Name, flags of a quick run, flags of a full one. All quick ones together are to take less than
 /// two minutes on two cores.
-const ALL: [(&str, &str, &str); 11] = [
+const ALL: [(&str, &str, &str); 12] = [
     ("pictures", "--rounds 7", ""),
     ("startup", "--rounds 5", ""),
     ("kernels", "--rounds 7", ""),
@@ -35,6 +35,7 @@ const ALL: [(&str, &str, &str); 11] = [
         "",
     ),
     ("skips", "--quick", ""),
+    ("stress", "--only p01_grid p02_places p07_spheres p10_meshes p11_random p18_scenes", "--full"),
 ];
 
 /// All parts, or those of these names in the order of the list.
