@@ -66,7 +66,8 @@ pub fn lists(stress: &Stress) {
         let place = here(name, &mesh);
         let geometry = geometry_of(&place.triangles);
         let list = List::new(&geometry);
-        let trials = (50_000_000 / mesh.triangles.len() as u64).clamp(1000, 100_000);
+        let trials = (10_000_000 / mesh.triangles.len() as u64).clamp(500, 30_000);
+        let trials = Trials::new(trials, 30 * trials);
         stress.run(format!("p01 list, {name}"), 102, trials, |draw| {
             must_hit(&list, &from_inside(draw, &place.triangles, &place.inside))
         });
