@@ -38,14 +38,14 @@ pub fn places(stress: &Stress) {
             let (list, grid) = (List::new(&geometry), grid(&geometry));
             let (tree, bvh) = (KdTree::new(&geometry, Options::default()), Bvh::new(&geometry));
             let label = format!("{name} × {scale:.1e} + {offset:.0}");
-            stress.run(format!("p02 hits, {label}"), 201, Trials::new(2_000, 60_000), |draw| {
+            stress.run(format!("p02 hits, {label}"), 201, Trials::new(1_000, 60_000), |draw| {
                 let ray = from_inside(draw, &place.triangles, &place.inside);
                 must_hit(&list, &ray)
                     .and(must_hit(&grid, &ray))
                     .and(must_hit(&tree, &ray))
                     .and(must_hit(&bvh, &ray))
             });
-            odd_passages(stress, &format!("p02 parity, {label}"), &place, 1_000);
+            odd_passages(stress, &format!("p02 parity, {label}"), &place, 500);
         }
     }
 }
