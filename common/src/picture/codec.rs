@@ -74,6 +74,7 @@ pub fn decode(kind: Kind, bytes: &[u8], transfer: Transfer) -> Result<Film, Code
     let decoder = reader.into_decoder()?;
     let (width, height) = decoder.dimensions();
     let size = Size::new(width.into(), height.into())?;
+    check_promise(size, decoder.total_bytes(), bytes.len())?;
     // Bounds what a small file can make us allocate: the pixels as stored, and a working copy.
     let mut decoder = decoder;
     let mut limits = image::Limits::no_limits();
@@ -81,6 +82,18 @@ pub fn decode(kind: Kind, bytes: &[u8], transfer: Transfer) -> Result<Film, Code
     decoder.set_limits(limits)?;
     let color = decoder.color_type();
     Ok(film_of(size, color, DynamicImage::from_decoder(decoder)?, transfer))
+}
+
+/// A header may promise what is not there, and room for it would be set aside before that turns out.
+/// No kind of file packs more than about a thousand bytes into one (deflate: 1032); small pictures
+/// are believed without that.
+fn check_promise(size: Size, needed: u64, given: usize) -> Result<(), CodecError> {
+    const BELIEVED: u64 = 16 << 20;
+    const PACKED: u64 = 4096;
+    if needed <= BELIEVED.max(given as u64 * PACKED) {
+        return Ok(());
+    }
+    Err(format!("a picture of {size} pixels cannot be in a file of {given} bytes").into())
 }
 
 fn format(kind: Kind) -> ImageFormat {

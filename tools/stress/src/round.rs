@@ -56,7 +56,7 @@ pub fn spheres(stress: &Stress) {
 
 /// Grazing, from inside and from the surface: ordered numbers.
 pub fn special_spheres(stress: &Stress) {
-    stress.run("p04 sphere, special", 402, 500_000, |draw| {
+    stress.run("p04 sphere, special", 402, 200_000, |draw| {
         let radius = draw.magnitude(-6.0, 9.0);
         let center = draw.cube() * radius;
         let side = draw.direction();

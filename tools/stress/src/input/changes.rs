@@ -23,6 +23,9 @@ pub struct Case {
     pub bytes: Vec<u8>,
 }
 
+/// Bytes from which on a sample is rather not chosen.
+const LARGE: usize = 50_000;
+
 /// Words that promise much, or nothing, in either byte order.
 const EXTREMES: [u32; 8] = [0, 1, 0x7f, 30_000, 65_535, 1 << 24, i32::MAX as u32, u32::MAX];
 
@@ -58,7 +61,11 @@ impl Cases {
             return self.prefix(number);
         }
         let mut draw = self.stress.draw(1800 + number as u64);
-        let sample = &self.samples[draw.below(self.samples.len())];
+        let mut sample = &self.samples[draw.below(self.samples.len())];
+        if sample.bytes.len() > LARGE && draw.chance(0.95) {
+            // They hold no words that small ones do not hold.
+            sample = &self.samples[draw.below(self.samples.len())];
+        }
         let mut bytes = sample.bytes.clone();
         let change = if number < self.prefix_count() + self.numbers.edits {
             edit(&mut bytes, &mut draw)

@@ -42,7 +42,7 @@ const FAMILIES: [Family; 6] = [
         samples: meshes::samples,
         read: meshes::read,
         numbers: |thorough| Numbers {
-            prefixes: if thorough { 20_000 } else { 500 },
+            prefixes: if thorough { 20_000 } else { 200 },
             edits: 10_000,
             swaps: 10_000,
         },

@@ -1,15 +1,15 @@
 //! The parent's side: starts workers under a limit of memory, and looks at the clock.
 
 use super::changes::{Case, Cases};
-use super::worker::{Task, VARIABLE};
+use super::worker::{PROGRESS, Task, VARIABLE};
 use super::{FAMILIES, serve};
 use crate::Stress;
 use crate::row::Outcome;
 use std::env::current_exe;
-use std::io::{BufRead, BufReader, Read};
-use std::process::{Child, Command, Stdio};
+use std::io::Read;
+use std::path::Path;
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::OnceLock;
-use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -18,6 +18,9 @@ const MEMORY: u32 = 512 << 10;
 
 /// Time that one input may take.
 const PATIENCE: Duration = Duration::from_secs(10);
+
+/// How often the watchdog looks.
+const LOOK: Duration = Duration::from_millis(20);
 
 /// Deaths of workers after which a family is given up.
 const MOST_DEATHS: u64 = 20;
@@ -62,7 +65,7 @@ fn all(stress: &Stress, mut task: Task, cases: &Cases) -> Outcome {
         for (number, why) in &end.faults {
             outcome = note(outcome, *number, why);
         }
-        outcome.worst = outcome.worst.max(end.longest.as_secs_f64());
+        outcome.worst = outcome.worst.max(end.slowest.as_secs_f64());
         match end.death {
             None => return outcome,
             Some((number, why)) => {
@@ -85,8 +88,8 @@ struct End {
     faults: Vec<(usize, String)>,
     /// The case that it died of, and how; `None` if it did not.
     death: Option<(usize, String)>,
-    /// Longest time for one input.
-    longest: Duration,
+    /// Longest time for one input, if it was said.
+    slowest: Duration,
 }
 
 /// Linux has a limit of address space that a shell can set; on other systems the limit may be
@@ -110,66 +113,63 @@ fn command(stress: &Stress, task: Task) -> std::io::Result<Command> {
 
 /// Runs a worker to its end, or for as long as it makes progress.
 fn one(stress: &Stress, task: Task) -> std::io::Result<End> {
-    let mut child = command(stress, task)?.spawn()?;
-    let complaints = tail_of_stderr(&mut child);
-    let (send, receive) = channel();
-    let output = child.stdout.take().expect("it is piped");
-    thread::spawn(move || {
-        // Ends with the child, or with the watchdog.
-        for line in BufReader::new(output).split(b'\n').map_while(Result::ok) {
-            if send.send(String::from_utf8_lossy(&line).into_owned()).is_err() {
-                break;
-            }
+    let folder = tempfile::tempdir()?;
+    let progress = folder.path().join("progress");
+    let mut child = command(stress, task)?.env(PROGRESS, &progress).spawn()?;
+    let words = all_of(child.stdout.take().expect("it is piped"), usize::MAX);
+    let complaints = all_of(child.stderr.take().expect("it is piped"), 500);
+    let status = patient(&mut child, &progress)?;
+    let words = words.join().unwrap_or_default();
+    let faults = words.lines().filter_map(|line| line.strip_prefix('!')?.split_once(' '));
+    let faults = faults.filter_map(|(number, why)| Some((number.parse().ok()?, why.to_owned()))).collect();
+    // The harness of tests prints before, on the same line perhaps.
+    let slowest = words.lines().find_map(|line| line.rsplit_once('=')?.1.parse().ok());
+    let death = match (status, slowest) {
+        (Some(status), Some(_)) if status.success() => None,
+        (None, _) => Some(format!("not done after {} s", PATIENCE.as_secs())),
+        (Some(status), _) => {
+            let complaint = complaints.join().unwrap_or_default();
+            Some(format!("the reader died ({status}): {}", complaint.trim()))
         }
-    });
-    let mut end = End { faults: Vec::new(), death: None, longest: Duration::ZERO };
-    let (mut at, mut since) = (task.from, Instant::now());
+    };
+    let death = death.map(|why| (reached(&progress).unwrap_or(task.from), why));
+    Ok(End { faults, death, slowest: Duration::from_millis(slowest.unwrap_or(0)) })
+}
+
+/// The case that a worker is at, once it has begun.
+fn reached(progress: &Path) -> Option<usize> {
+    let bytes = std::fs::read(progress).ok()?;
+    Some(u64::from_le_bytes(bytes.try_into().ok()?) as usize)
+}
+
+/// Waits for the end of a worker; `None` if it made no progress and was ended.
+fn patient(child: &mut Child, progress: &Path) -> std::io::Result<Option<ExitStatus>> {
+    let (mut last, mut since) = (None, Instant::now());
     loop {
-        // The first line takes as long as the samples take to be made.
-        let line = receive.recv_timeout(if at == task.from { 6 * PATIENCE } else { PATIENCE });
-        match line {
-            Ok(line) => {
-                if line.starts_with(['@', '=']) {
-                    end.longest =
-                        end.longest.max(if at == task.from { Duration::ZERO } else { since.elapsed() });
-                    since = Instant::now();
-                }
-                match (line.chars().next(), line.get(1..).unwrap_or_default()) {
-                    (Some('@'), number) => at = number.parse().unwrap_or(at),
-                    (Some('!'), text) => {
-                        end.faults.push((at, text.split_once(' ').map_or("", |t| t.1).to_owned()));
-                    }
-                    (Some('='), "") => {
-                        child.wait()?;
-                        return Ok(end);
-                    }
-                    _ => {}
-                }
-            }
-            Err(RecvTimeoutError::Timeout) => {
-                child.kill()?;
-                child.wait()?;
-                end.death = Some((at, format!("not done after {} s", PATIENCE.as_secs())));
-                return Ok(end);
-            }
-            Err(RecvTimeoutError::Disconnected) => {
-                let status = child.wait()?;
-                let words = complaints.join().unwrap_or_default();
-                end.death = Some((at, format!("the reader died ({status}): {}", words.trim())));
-                return Ok(end);
-            }
+        if let Some(status) = child.try_wait()? {
+            return Ok(Some(status));
         }
+        let now = reached(progress);
+        if now != last {
+            (last, since) = (now, Instant::now());
+        }
+        // Making the samples takes time, too.
+        if since.elapsed() > if last.is_some() { PATIENCE } else { 6 * PATIENCE } {
+            child.kill()?;
+            child.wait()?;
+            return Ok(None);
+        }
+        thread::sleep(LOOK);
     }
 }
 
-/// The last words of a child, once it has ended.
-fn tail_of_stderr(child: &mut Child) -> thread::JoinHandle<String> {
-    let mut errors = child.stderr.take().expect("it is piped");
+/// All that comes out of a pipe until it is closed, or the last bytes of it.
+fn all_of(mut pipe: impl Read + Send + 'static, most: usize) -> thread::JoinHandle<String> {
     thread::spawn(move || {
         let (mut last, mut buffer) = (Vec::new(), [0; 4096]);
-        while let Ok(count @ 1..) = errors.read(&mut buffer) {
+        while let Ok(count @ 1..) = pipe.read(&mut buffer) {
             last.extend_from_slice(&buffer[..count]);
-            let surplus = last.len().saturating_sub(500);
+            let surplus = last.len().saturating_sub(most);
             last.drain(..surplus);
         }
         String::from_utf8_lossy(&last).into_owned()

@@ -1,15 +1,20 @@
-//! The child's side: reads case after case, and says before each which one it is.
+//! The child's side: reads case after case, and notes before each which one it is.
 
 use super::FAMILIES;
 use super::changes::Cases;
 use crate::Tier;
 use crate::stress::guarded;
 use std::fmt;
-use std::io::{Write, stdout};
+use std::fs::File;
+use std::io::{Error, Seek, SeekFrom, Write, stdout};
 use std::str::FromStr;
+use std::time::{Duration, Instant};
 
 /// The variable of the environment that makes a process a worker.
 pub const VARIABLE: &str = "STRESS_WORKER";
+
+/// The variable that names the file for the number of the case.
+pub const PROGRESS: &str = "STRESS_PROGRESS";
 
 /// What a worker is to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,21 +64,26 @@ pub fn serve() {
     }
 }
 
-/// Lines for the watchdog: `@number` before a case, `!number text` for one that was neither read
-/// nor refused, `=` at the end.
+/// Before each case its number goes to the file that [`PROGRESS`] names: eight bytes, always at the
+/// same place. Lines for the watchdog: `!number text` for a case that was neither read nor
+/// refused, and at the end `=` with the milliseconds that the slowest one took.
 fn work(task: Task) -> std::io::Result<()> {
-    let family = FAMILIES.get(task.family).ok_or_else(|| std::io::Error::other("no such family"))?;
+    let family = FAMILIES.get(task.family).ok_or_else(|| Error::other("no such family"))?;
     let cases = Cases::new(family, task.tier, task.seed);
-    let mut out = stdout();
+    let place = std::env::var_os(PROGRESS).ok_or_else(|| Error::other("no place for progress"))?;
+    let (mut progress, mut out) = (File::create(place)?, stdout());
+    let mut slowest = Duration::ZERO;
     for number in task.from..task.to.min(cases.len()) {
         let case = cases.case(number);
-        // Each line at once: the next case may be the last one.
-        out.write_all(format!("@{number}\n").as_bytes())?;
+        progress.seek(SeekFrom::Start(0))?;
+        progress.write_all(&(number as u64).to_le_bytes())?;
+        let started = Instant::now();
         if let Err(why) = guarded(|| (family.read)(&case.name, &case.bytes)) {
             out.write_all(format!("!{number} {}\n", why.replace('\n', " / ")).as_bytes())?;
         }
+        slowest = slowest.max(started.elapsed());
     }
-    out.write_all(b"=\n")?;
+    out.write_all(format!("={}\n", slowest.as_millis()).as_bytes())?;
     out.flush()
 }
 

@@ -104,9 +104,10 @@ fn shell(emission: f64, albedo: f64, samples: u32, flags: &str) -> Stage {
 pub fn shells(stress: &Stress) {
     stress.case("p13 closed shells, off 1 / 0.005", || {
         let mut worst: f64 = 0.0;
+        let depths: &[u32] = if stress.tier().is_thorough() { &[0, 3, 20] } else { &[3] };
         for (emission, albedo) in [(0.25, 0.75), (0.6, 0.4)] {
             for integrator in ["naive", "nee", "mis"] {
-                for depth in [0, 3, 20] {
+                for &depth in depths {
                     let stage =
                         shell(emission, albedo, 256, &format!("-integrator {integrator} -rr_depth {depth}"));
                     let mean = stage.mean(1).x;

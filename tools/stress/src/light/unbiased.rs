@@ -4,6 +4,7 @@ use super::stage::{Stage, mean_and_error, obj, scene};
 use crate::Stress;
 use crate::kit::convex_sphere;
 use common::mesh::Mesh;
+use rayon::prelude::*;
 
 const SEEDS: u64 = 64;
 
@@ -110,8 +111,10 @@ impl Place {
     fn light(&self, flags: &str, family: u64) -> (f64, f64) {
         let files: Vec<(&str, &[u8])> = self.files.iter().map(|(name, bytes)| (*name, &bytes[..])).collect();
         let stage = Stage::new(&self.text, &files, &format!("-size 8 8 {flags}"));
-        let means: Vec<f64> =
-            (0..SEEDS).map(|seed| stage.mean(seed + 1000 * family).element_sum() / 3.0).collect();
+        let means: Vec<f64> = (0..SEEDS)
+            .into_par_iter()
+            .map(|seed| stage.mean(seed + 1000 * family).element_sum() / 3.0)
+            .collect();
         mean_and_error(&means)
     }
 
@@ -132,7 +135,9 @@ impl Place {
 }
 
 pub fn integrators(stress: &Stress) {
-    for place in [room(), gloss(), mesh(), two(), caustic(), sky()] {
+    let (quick, more) = ([room(), caustic(), sky()], [gloss(), mesh(), two()]);
+    let more = more.into_iter().filter(|_| stress.tier().is_thorough());
+    for place in quick.into_iter().chain(more) {
         stress.case(format!("p14 integrators and roulette, {}, in σ", place.name), || {
             Ok(place.compare(
                 "-spp 16",
@@ -152,7 +157,8 @@ pub fn integrators(stress: &Stress) {
 pub fn samplers(stress: &Stress) {
     let samplers = ["random", "jittered", "multi_jittered", "halton", "r2", "blue_noise"];
     let flags = samplers.map(|name| format!("-spp 16 -sampler {name}"));
-    for place in [room(), sky()] {
+    let more = [sky()].into_iter().filter(|_| stress.tier().is_thorough());
+    for place in [room()].into_iter().chain(more) {
         let flags = flags.each_ref().map(String::as_str);
         stress.case(format!("p14 samplers, {}, in σ", place.name), || Ok(place.compare("-spp 16", &flags)));
     }

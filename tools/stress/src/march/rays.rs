@@ -57,7 +57,7 @@ fn random_ray(draw: &mut Draw, cells: &Cells) -> Result<(Ray, bool), String> {
 
 /// Along edges, through corners, within faces; from outside, inside and on the box.
 pub fn special(stress: &Stress) {
-    stress.run("p11 march, special rays", 1103, 200_000, |draw| {
+    stress.run("p11 march, special rays", 1103, 100_000, |draw| {
         let cells = any_cells(draw, 64);
         let (min, max) = ends(&cells);
         let start = lattice_point(draw, &cells);

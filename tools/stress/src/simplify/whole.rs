@@ -25,7 +25,7 @@ fn meshes(stress: &Stress) -> Vec<(String, Mesh)> {
     let thorough = stress.tier().is_thorough();
     let recipes: &[&str] = match thorough {
         true => &["sphere40k", "gyroid40k", "terrain40k", "sphere1000", "gyroid3000", "terrain3000"],
-        false => &["sphere2000", "gyroid3000", "terrain2000"],
+        false => &["sphere2000", "gyroid1000", "terrain1000"],
     };
     let files: &[&str] = match thorough {
         true => &["cube", "diamond", "logo", "vase", "bunny_200", "bunny_1k", "bunny_5k", "bunny_40k"],

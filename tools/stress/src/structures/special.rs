@@ -1,7 +1,7 @@
 //! Property 9: numbers that are special.
 
-use crate::Stress;
 use crate::kit::{Named, agree, build, grid_of, lattice_sphere, ray_bits, structures};
+use crate::{Stress, Trials};
 use a5_grid::Fit;
 use common::accel::{Accel, List};
 use common::counters::Counters;
@@ -56,7 +56,7 @@ pub fn special(stress: &Stress) {
 
 /// Any special number in any place, in many more combinations than the lattice has.
 fn any_special(stress: &Stress, list: &List, others: &[Named]) {
-    stress.run("p09 special numbers anywhere", 901, 100_000, |draw| {
+    stress.run("p09 special numbers anywhere", 901, Trials::new(5_000, 1_000_000), |draw| {
         let mut number = || match draw.below(3) {
             0 => draw.pick(&SPECIAL),
             1 => draw.pick(&LATTICE),

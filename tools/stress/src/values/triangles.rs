@@ -9,7 +9,7 @@ use common::shape::{ExactRay, triangle};
 
 /// A triangle is hit exactly when exact arithmetic says so.
 pub fn decisions(stress: &Stress) {
-    let hits = stress.run("p03 decisions", 301, 300_000, |draw| {
+    let hits = stress.run("p03 decisions", 301, 150_000, |draw| {
         let t = any_triangle(draw);
         let ray = any_ray(draw, &t);
         let truth = exact_triangle(&ray, &t);
@@ -23,8 +23,8 @@ pub fn decisions(stress: &Stress) {
 
 /// t within 16 eps·S/cos; u and v as lengths over the triangle within the same.
 pub fn values(stress: &Stress) {
-    stress.run("p03 t, share of the bound 16 eps·S/cos", 302, 300_000, |draw| triangle_value(draw, |v| v.t));
-    stress.run("p03 u v, share of the bound 16 eps·S/cos", 303, 200_000, |draw| {
+    stress.run("p03 t, share of the bound 16 eps·S/cos", 302, 100_000, |draw| triangle_value(draw, |v| v.t));
+    stress.run("p03 u v, share of the bound 16 eps·S/cos", 303, 100_000, |draw| {
         triangle_value(draw, |v| v.weights)
     });
 }
@@ -71,7 +71,7 @@ fn exact_area_vector(t: &[Vec3; 3]) -> DVec3 {
 
 /// Triangles and rays of any bits give no NaN.
 pub fn any_bits(stress: &Stress) {
-    stress.run("p03 any bits", 304, 1_000_000, |draw| {
+    stress.run("p03 any bits", 304, 300_000, |draw| {
         let mut any = || loop {
             let x = f32::from_bits(draw.bits());
             if x.is_finite() {

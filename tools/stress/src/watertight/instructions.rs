@@ -18,7 +18,7 @@ pub fn instructions(stress: &Stress) {
     for (scale, offset) in placements() {
         let place = placed(&mesh, scale, offset, 32);
         let blocks = Blocks::new(&place.triangles);
-        stress.run(format!("p02 levels, × {scale:.1e} + {offset:.0}"), 202, 4_000, |draw| {
+        stress.run(format!("p02 levels, × {scale:.1e} + {offset:.0}"), 202, 2_000, |draw| {
             let ray = from_inside(draw, &place.triangles, &place.inside);
             let exact = ExactRay::new(&ray);
             let mut best: Option<Hit> = None;

@@ -2,8 +2,8 @@
 
 use super::passages::odd_passages;
 use super::{from_inside, grid, must_hit};
-use crate::Stress;
 use crate::kit::{build, fan, file_mesh, geometry_of, inside_points, lattice_sphere, lumpy_sphere, placed};
+use crate::{Stress, Trials};
 use a6_kdtree::bvh::Bvh;
 use a6_kdtree::kdtree::{KdTree, Options};
 use common::accel::List;
@@ -38,14 +38,14 @@ pub fn places(stress: &Stress) {
             let (list, grid) = (List::new(&geometry), grid(&geometry));
             let (tree, bvh) = (KdTree::new(&geometry, Options::default()), Bvh::new(&geometry));
             let label = format!("{name} × {scale:.1e} + {offset:.0}");
-            stress.run(format!("p02 hits, {label}"), 201, 6_000, |draw| {
+            stress.run(format!("p02 hits, {label}"), 201, Trials::new(1_000, 60_000), |draw| {
                 let ray = from_inside(draw, &place.triangles, &place.inside);
                 must_hit(&list, &ray)
                     .and(must_hit(&grid, &ray))
                     .and(must_hit(&tree, &ray))
                     .and(must_hit(&bvh, &ray))
             });
-            odd_passages(stress, &format!("p02 parity, {label}"), &place, 3_000);
+            odd_passages(stress, &format!("p02 parity, {label}"), &place, 500);
         }
     }
 }
@@ -64,7 +64,7 @@ pub fn nested(stress: &Stress) {
         assert!(inside.len() >= 8, "{name}: no point inside");
         let (list, grid) = (List::new(&geometry), grid(&geometry));
         let (tree, bvh) = (KdTree::new(&geometry, Options::default()), Bvh::new(&geometry));
-        stress.run(format!("p02 nested transforms, {name}"), 203, 60_000, |draw| {
+        stress.run(format!("p02 nested transforms, {name}"), 203, Trials::new(20_000, 600_000), |draw| {
             let ray = from_inside(draw, geometry.triangles(), &inside);
             must_hit(&list, &ray)
                 .and(must_hit(&grid, &ray))

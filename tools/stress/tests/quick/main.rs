@@ -1,5 +1,6 @@
 //! Every check of the registry at quick numbers, a test for each; and textures for every input.
 
+mod corpus;
 mod textures;
 
 use stress::{Row, Stress, Tier, examine, properties, seed_of_environment};
