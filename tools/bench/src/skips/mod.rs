@@ -22,7 +22,7 @@ use std::process::Command;
 #[derive(clap::Args)]
 pub struct Options {
     /// Rounds; every round runs every command line with the skip and without
-    #[arg(long, default_value_t = 9)]
+    #[arg(long, default_value_t = 7)]
     rounds: usize,
     /// Runs of a process are repeated until they have taken so many milliseconds
     #[arg(long, default_value_t = 400)]

@@ -11,7 +11,9 @@ const MOST_RUNS: u32 = 1000;
 /// Which program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Name {
-    /// Assignment 5, which does what 1 to 4 do.
+    /// Assignment 1.
+    Flat,
+    /// Assignment 5, which does what 2 to 4 do.
     Grid,
     /// Assignment 6.
     Trees,
@@ -25,6 +27,7 @@ impl Name {
     /// Its name on the command line.
     pub fn as_str(self) -> &'static str {
         match self {
+            Self::Flat => "a1_ray_casting",
             Self::Grid => "a5_grid",
             Self::Trees => "a6_kdtree",
             Self::Samples => "a7_sampling",
@@ -34,7 +37,9 @@ impl Name {
 
     /// The one of that name.
     pub fn named(name: &str) -> Option<Self> {
-        [Self::Grid, Self::Trees, Self::Samples, Self::Paths].into_iter().find(|p| p.as_str() == name)
+        [Self::Flat, Self::Grid, Self::Trees, Self::Samples, Self::Paths]
+            .into_iter()
+            .find(|p| p.as_str() == name)
     }
 
     /// What a command line asks for; the words begin with the program's name.
@@ -44,6 +49,10 @@ impl Name {
     pub fn parse(self, words: &[String]) -> Result<Box<dyn Fn() -> Result<(), AppError>>, AppError> {
         let words = words.iter().cloned();
         Ok(match self {
+            Self::Flat => {
+                let args = parsed::<a1_ray_casting::Program>(words)?.args;
+                Box::new(move || a1_ray_casting::run(&args))
+            }
             Self::Grid => {
                 let args = parsed::<a5_grid::Program>(words)?.args;
                 Box::new(move || a5_grid::run(&args))
