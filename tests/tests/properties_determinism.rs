@@ -28,6 +28,7 @@ const RULES: Rules = Rules {
     skip_dark: true,
     skip_inside: true,
     skip_black: true,
+    skip_surface: true,
 };
 
 fn picture(scene: &Scene, accel: &dyn Accel, options: &TileOptions) -> (Film, Counters) {

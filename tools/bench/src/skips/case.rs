@@ -179,7 +179,7 @@ pub const CASES: [Case; 20] = [
     by(
         Name::Trees,
         plain(
-            "planes in trees: what is held of three balls and a plane",
+            "planes in trees: what is held of two balls and a plane",
             "",
             BALLS,
             "-size 100 100 -kdtree",
