@@ -3,7 +3,6 @@
 
 use crate::clock;
 use common::cli::{self, AppError, say};
-use std::time::{Duration, Instant};
 
 /// Most runs of one command line within a process.
 const MOST_RUNS: u32 = 1000;
@@ -77,8 +76,8 @@ fn parsed<P: clap::Parser>(words: impl Iterator<Item = String>) -> Result<P, App
     Ok(cli::try_parse_from::<P>(words).map_err(|stop| AppError::Usage(stop.text))?.options)
 }
 
-/// The child's part: does what the words say until that has taken `least` milliseconds, then says
-/// how much processor time one run takes.
+/// The child's part: does what the words say until that has taken `least` milliseconds of processor
+/// time, then says how much one run takes.
 ///
 /// # Errors
 /// Those of the program.
@@ -88,13 +87,12 @@ pub fn work(words: &[String], least: u64) -> Result<(), AppError> {
     let run = program.parse(words)?;
     // The first one finds pages and files cold.
     run()?;
-    let (started, before) = (Instant::now(), clock::whole_process_time()?);
-    let mut runs = 0;
-    while runs == 0 || runs < MOST_RUNS && started.elapsed() < Duration::from_millis(least) {
+    let (before, mut spent, mut runs) = (clock::whole_process_time()?, 0, 0);
+    while runs == 0 || runs < MOST_RUNS && spent < least * 1_000_000 {
         run()?;
         runs += 1;
+        spent = clock::whole_process_time()?.saturating_sub(before);
     }
-    let milliseconds = clock::whole_process_time()?.saturating_sub(before) as f64 / 1e6;
-    say(&format!("cpu_ms {}", milliseconds / f64::from(runs)));
+    say(&format!("cpu_ms {}", spent as f64 / 1e6 / f64::from(runs)));
     Ok(())
 }
