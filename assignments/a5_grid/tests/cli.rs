@@ -100,6 +100,9 @@ fn a5t2_the_picture_of_cells_builds_nothing_for_hits() {
     let (beside, stats) = drawn(scene, &format!("{cells} -normals n.tga")).expect("as before");
     assert!(!stats.contains("skipped: a structure for hits"), "{stats}");
     assert!(alone == beside);
+    let (needless, stats) = drawn(scene, &format!("{cells} -noskip lazy")).expect("as before");
+    assert!(stats.contains("structures built                     1\n"), "{stats}");
+    assert!(alone == needless);
     let (counted, _) = drawn(scene, &cells.replace("grid -stats", "grid_count")).expect("as before");
     assert!(alone == counted);
 }

@@ -191,3 +191,25 @@ fn a7t6_tiles_and_threads_change_no_bit() {
         }
     }
 }
+
+/// The samples that pixels are spared are counted; traced all the same they cost just as many rays
+/// and change nothing.
+#[test]
+fn a7t6_spared_samples_are_counted_and_change_no_bit() {
+    let plan = Adaptive { error: 0.02, most: 64 };
+    for kernel in [None, Some(Kernel::Gaussian(0.5))] {
+        let shoot = |flags: &str| {
+            Easel::new(EDGE, flags).with(Pattern::Sobol, 1, kernel, |exposure| {
+                let (film, survey, counters) = plan.picture(exposure, None).unwrap();
+                (film, survey.counts(), counters)
+            })
+        };
+        let (film, counts, skipping) = shoot("-noskip tile");
+        let (same, as_many, toiling) = shoot("-noskip tile -noskip converged");
+        assert!(film == same && counts == as_many);
+        let all = u64::from(SIDE * SIDE * plan.most);
+        assert!(skipping.skipped_converged > all / 2, "{skipping:?}");
+        assert_eq!(skipping.rays + skipping.skipped_converged, all);
+        assert_eq!((toiling.rays, toiling.skipped_converged), (all, 0));
+    }
+}

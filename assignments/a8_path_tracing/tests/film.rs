@@ -4,7 +4,7 @@ mod fake;
 
 use a8_path_tracing::film::join::{Part, join};
 use a8_path_tracing::film::{Frame, Identity, Sums, checkpoint::Checkpoint};
-use a8_path_tracing::render::{End, Goal};
+use a8_path_tracing::render::{End, Goal, Rendering, spared, trace_spared};
 use a8_path_tracing::{Aov, Estimator, Found, Layout};
 use common::counters::Counters;
 use common::math::Vec3;
@@ -249,4 +249,31 @@ fn what_is_too_large_is_refused() {
     let huge = Frame::whole(size(16_384, 16_384));
     let said = Sums::new(huge, ALL, 0).unwrap_err().to_string();
     assert!(said.contains("GiB") && said.contains("-crop"), "{said}");
+}
+
+/// Of every pixel the samples taken and those it was spared are all that there can be.
+#[test]
+fn spared_samples_are_counted_and_can_be_traced() {
+    struct Counted<'a>(&'a Fake);
+    impl Estimator for Counted<'_> {
+        type Scratch = u64;
+        fn trace(&self, s: &mut u64, p: &[(u32, u32)], r: Range<u32>, c: &mut Counters, f: &mut [Found]) {
+            self.0.trace(s, p, r.clone(), c, f);
+            // The left half has no noise.
+            let each = f.chunks_exact_mut(r.len()).zip(p).filter(|(_, (x, _))| *x < 16);
+            each.flat_map(|(f, _)| f).for_each(|found| found.radiance = Vec3::ONE);
+        }
+    }
+    let estimator = Counted(&Fake { spread: 3, nap: Duration::ZERO });
+    let layout = Layout { halves: true, ..Layout::default() };
+    let mut sums = Sums::new(Frame::whole(size(32, 32)), layout, 5).unwrap();
+    let goal = Goal { end: 5 + 3000, time: None, error: Some(0.01) };
+    let options = TileOptions::default();
+    let tally = Rendering { goal, options }.run(&estimator, &mut sums, |_| {});
+    let left = spared(&sums, &goal);
+    assert!(left > 14 * 32 * 2900, "{left}");
+    assert_eq!(tally.paths + left, 32 * 32 * 3000);
+    let before = sums.clone();
+    assert_eq!(trace_spared(&estimator, &sums, &goal, &options).rays, left);
+    assert!(before == sums);
 }

@@ -6,7 +6,7 @@ use common::cli::{self, AppError};
 use std::io;
 use std::path::Path;
 use std::process::Command;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// The programs that can be timed.
 pub const PROGRAMS: [&str; 8] = [
@@ -43,16 +43,16 @@ pub fn run(words: &[String], least: u64) -> Result<(), AppError> {
     Ok(())
 }
 
-/// Nanoseconds of one run. Threads come and go from run to run, so the process is asked, which counts
-/// coarsely: there have to be many.
+/// Nanoseconds of one run. Threads come and go from run to run, so the whole process is asked, which
+/// counts what has ended coarsely: there have to be many.
 fn repeat(work: &Work, least: u64) -> Result<u64, AppError> {
-    let (started, before) = (Instant::now(), clock::whole_process_time()?);
-    let mut runs = 0;
-    while runs == 0 || runs < MOST_RUNS && started.elapsed() < Duration::from_millis(least) {
+    let (before, mut spent, mut runs) = (clock::whole_process_time()?, 0, 0);
+    while runs == 0 || runs < MOST_RUNS && spent < least * 1_000_000 {
         work()?;
         runs += 1;
+        spent = clock::whole_process_time()?.saturating_sub(before);
     }
-    Ok(clock::whole_process_time()?.saturating_sub(before) / runs)
+    Ok(spent / runs)
 }
 
 /// What the words ask for, which begin with a program's name.

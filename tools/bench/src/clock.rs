@@ -29,20 +29,30 @@ pub fn process_time() -> std::io::Result<u64> {
     Ok(total)
 }
 
-/// Nanoseconds that all threads of this process have run, those that have ended included; in steps
-/// of 10 milliseconds, which is all that the kernel keeps of them.
+/// Nanoseconds that all threads of this process have run, those that have ended included. Of the
+/// latter the kernel keeps no more than hundredths of a second.
 ///
 /// # Errors
 /// If the system has no `/proc`.
 pub fn whole_process_time() -> std::io::Result<u64> {
-    /// A hundredth of a second, the unit of times in `/proc` on every Linux.
-    const TICK: u64 = 10_000_000;
-    refresh();
-    let text = std::fs::read_to_string("/proc/self/stat")?;
-    // The program's name stands in parentheses and may hold blanks; user and system time are the
-    // 12th and 13th fields behind it.
-    let fields = text.rsplit(')').next().unwrap_or_default().split_whitespace().skip(11).take(2);
-    Ok(fields.filter_map(|ticks| ticks.parse::<u64>().ok()).sum::<u64>() * TICK)
+    let living = process_time()?;
+    let mut ticks_of_living = 0;
+    for task in std::fs::read_dir("/proc/self/task")? {
+        // A thread may end between being listed and being read.
+        ticks_of_living += std::fs::read_to_string(task?.path().join("stat")).map_or(0, |text| ticks(&text));
+    }
+    let all = ticks(&std::fs::read_to_string("/proc/self/stat")?);
+    Ok(living + all.saturating_sub(ticks_of_living) * TICK)
+}
+
+/// A hundredth of a second, the unit of times in `/proc` on every Linux.
+const TICK: u64 = 10_000_000;
+
+/// User and system time in a `stat` file. The program's name stands in parentheses and may hold
+/// blanks; the times are the 12th and 13th fields behind it.
+fn ticks(stat: &str) -> u64 {
+    let fields = stat.rsplit(')').next().unwrap_or_default().split_whitespace().skip(11).take(2);
+    fields.filter_map(|ticks| ticks.parse::<u64>().ok()).sum()
 }
 
 /// Nanoseconds that this thread has run; 0 if the system has no `/proc`.

@@ -76,7 +76,6 @@ Group { numObjects 1 MaterialIndex 0
 pub const MESH: &str = "scenes/meshes/bunny_40k.obj";
 
 const BALLS: &str = "scene4_04_reflective_sphere.txt";
-const RABBIT: &str = "scene5_07_bunny_mesh_1k.txt";
 const GLASS: &str = "scene4_09_transparent_sphere_2.0.txt";
 const GEM: &str = "scene4_14_faceted_gem.txt";
 
@@ -102,7 +101,7 @@ const POINTS: &str = "surface points worked out";
 const BUILT: &str = "structures built";
 
 /// All that accuracy.md names, in its order, and what else is skipped.
-pub const CASES: [Case; 18] = [
+pub const CASES: [Case; 20] = [
     plain("shadow rays to lights that give nothing", "dark", DARK, "-size 200 200 -shadows", SHADOW),
     plain(
         "shadow rays to lights behind the surface",
@@ -130,10 +129,17 @@ pub const CASES: [Case; 18] = [
         ),
     ),
     plain("secondary rays of black weight", "black", BALLS, "-size 200 200 -shadows -bounces 3", RAYS),
-    Case {
-        picture: "-depth 0 10",
-        ..plain("points and normals that only distances need", "surface", RABBIT, "-size 200 200", POINTS)
-    },
+    plain(
+        "points and normals of candidates and of what blocks light: one for each hit that is shaded",
+        "",
+        "scene5_07_bunny_mesh_1k.txt",
+        "-size 100 100 -shadows",
+        POINTS,
+    ),
+    by(
+        "a1_ray_casting",
+        plain("points and normals of flat colours", "surface", BALLS, "-size 400 400", POINTS),
+    ),
     plain(
         "points and normals on the way of shadow rays",
         "surface",
@@ -171,7 +177,17 @@ pub const CASES: [Case; 18] = [
         "-size 200 200",
         "spheres with a matrix",
     ),
-    plain("depth and normals unasked", "pictures", RABBIT, "-size 200 200", "pictures rendered"),
+    by(
+        "a6_kdtree",
+        plain(
+            "planes in trees: what is held of two balls and a plane",
+            "",
+            BALLS,
+            "-size 100 100 -kdtree",
+            "references",
+        ),
+    ),
+    plain("depth and normals unasked", "pictures", BALLS, "-size 400 400", "pictures rendered"),
     plain("camera rays of tiles that see nothing", "tile", "scene2_09_bunny_200.txt", "-size 200 200", RAYS),
     by(
         "a7_sampling",

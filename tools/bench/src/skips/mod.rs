@@ -19,10 +19,10 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args)]
 pub struct Options {
     /// Rounds; every round runs every command line with the skip and without
-    #[arg(long, default_value_t = 9)]
+    #[arg(long, default_value_t = 7)]
     rounds: usize,
-    /// Runs of a process are repeated until they have taken so many milliseconds
-    #[arg(long, default_value_t = 400)]
+    /// Runs of a process are repeated until they have taken so many milliseconds of processor time
+    #[arg(long, default_value_t = 200)]
     least: u64,
     /// Three rounds of short runs, done within seconds
     #[arg(long)]
