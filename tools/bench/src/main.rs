@@ -29,7 +29,7 @@ mod truth;
 mod world;
 
 use clap::Parser;
-use common::cli;
+use common::cli::{self, AppError};
 use part::Part;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -65,6 +65,9 @@ enum Task {
 fn main() -> ExitCode {
     let program = Program::parse();
     cli::run(|| match program.task {
+        Task::All(_) | Task::Compare(_) if program.results.is_some() => {
+            Err(AppError::Usage("--results is for one part; `bench all` writes to its --out".to_owned()))
+        }
         Task::All(options) => all::run(&options),
         Task::Compare(options) => compare::run(&options),
         Task::Part(part) => part::run(&part, program.results.as_deref()),
