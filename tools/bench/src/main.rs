@@ -21,6 +21,7 @@ mod rays;
 mod report;
 mod sample;
 mod sampling;
+mod scaling;
 mod simplify;
 mod startup;
 mod statistics;
