@@ -30,7 +30,7 @@ const ALL: [(&str, &str, &str); 9] = [
     ("path", "--side 32 --truth 1024 --spp 4,16 --seeds 3", ""),
     (
         "simplify",
-        "--meshes part5k,terrain10k --sizes sphere1k,sphere4k,sphere16k --rounds 3 --samples 20000",
+        "--meshes sphere8k,terrain10k --sizes sphere1k,sphere4k,sphere16k --rounds 3 --samples 20000",
         "",
     ),
 ];

@@ -65,7 +65,7 @@ struct Point {
 /// # Errors
 /// If a mesh is unknown.
 pub fn measure(options: &Options) -> Result<Section, AppError> {
-    let (mut points, mut building) = (Vec::new(), Scaling::new("building", &STRUCTURES));
+    let (mut points, mut building) = (Vec::new(), Scaling::new("Building", &STRUCTURES));
     for mesh in &options.meshes {
         note(&format!("{mesh} ..."));
         let world = World::named(mesh)?;

@@ -18,7 +18,7 @@ const RATIO: f64 = 0.1;
 /// If a mesh is unknown, or a method fails.
 pub fn measure(options: &Options, contenders: &[Contender], section: &mut Section) -> Result<(), AppError> {
     let names: Vec<&str> = contenders.iter().map(|c| c.name).collect();
-    let mut scaling = Scaling::new(&format!("simplification to {RATIO}"), &names);
+    let mut scaling = Scaling::new(&format!("Simplification to {RATIO}"), &names);
     for name in options.sizes.iter().filter(|name| !name.is_empty()) {
         let mesh = made(name)?;
         let triangles = mesh.triangles.len();
