@@ -22,6 +22,7 @@ mod rays;
 mod report;
 mod sample;
 mod sampling;
+mod scaling;
 mod simplify;
 mod skips;
 mod startup;
@@ -32,7 +33,7 @@ mod truth;
 mod world;
 
 use clap::Parser;
-use common::cli;
+use common::cli::{self, AppError};
 use part::Part;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -75,6 +76,9 @@ fn main() -> ExitCode {
     ::stress::input::serve();
     let program = Program::parse();
     cli::run(|| match program.task {
+        Task::All(_) | Task::Compare(_) if program.results.is_some() => {
+            Err(AppError::Usage("--results is for one part; `bench all` writes to its --out".to_owned()))
+        }
         Task::All(options) => all::run(&options),
         Task::Compare(options) => compare::run(&options),
         Task::Part(part) => part::run(&part, program.results.as_deref()),

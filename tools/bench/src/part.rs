@@ -75,3 +75,32 @@ pub fn run(part: &Part, results: Option<&Path>) -> Result<(), AppError> {
     }
     section.verdict()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(subcommand)]
+        part: Part,
+    }
+
+    #[test]
+    fn a_part_by_itself_writes_its_results_and_its_plot() {
+        let folder = std::env::temp_dir().join(format!("raysteps-part-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let (plot, results) = (folder.join("plot.svg"), folder.join("results.csv"));
+        let words = "bench growth --meshes sphere500,sphere2k --side 8 --rounds 1 --svg".split(' ');
+        let line = Line::parse_from(words.chain([plot.to_str().unwrap()]));
+        run(&line.part, Some(&results)).unwrap();
+        assert!(std::fs::read_to_string(&plot).unwrap().contains("kd SAH, bounce"));
+        let records = csv::load(&results).unwrap();
+        assert_eq!(
+            records.iter().filter(|r| r.place[1] == "cost of a ray" && r.place[3] == "ns").count(),
+            12
+        );
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+}

@@ -31,7 +31,7 @@ const ALL: [(&str, &str, &str); 12] = [
     ("path", "--side 32 --truth 1024 --spp 4,16 --seeds 3", ""),
     (
         "simplify",
-        "--meshes part5k,terrain10k --sizes sphere1k,sphere4k,sphere16k --rounds 3 --samples 20000",
+        "--meshes sphere8k,terrain10k --sizes sphere1k,sphere4k,sphere16k --rounds 3 --samples 20000",
         "",
     ),
     ("skips", "--quick", ""),

@@ -2,10 +2,12 @@
 //!
 //! Every timing gives one ratio, new cost over old cost (rates are turned over). The median of all
 //! ratios is the *drift*: the machine was quicker or slower as a whole, by its clock or by the load
-//! of others; it is divided out. The wall clock has a drift of its own, since it goes on while others
-//! work: timings of columns whose name says `wall` are held to that. What is left scatters. The scatter of a part is robustly estimated
-//! by the median of the logarithms' sizes (times 1.4826, which makes it the deviation of a normal
-//! distribution), for each clock; a part with few timings has the scatter of all. A timing has moved if
+//! of others; it is divided out. The wall clock has a drift of its own, since it goes on while
+//! others work: timings of columns whose name says `wall` are held to that.
+//!
+//! What is left scatters. The scatter of a part, for each clock, is robustly estimated by the median
+//! of the logarithms' sizes (times 1.4826, which makes it the deviation of a normal distribution); a
+//! part with few timings has the scatter of all. A timing has moved if
 //!
 //! 1. its quartiles do not overlap those of the old one, drift removed, and
 //! 2. its ratio is beyond 5 %, and beyond twice the quartiles' half-widths of both runs together,

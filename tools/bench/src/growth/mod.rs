@@ -1,10 +1,12 @@
 //! How the cost of a ray grows with the number of triangles: the same surface, cut ever finer.
 
+mod table;
+
 use crate::clock;
-use crate::fit::fit;
 use crate::rays::{RaySet, make};
-use crate::report::{Better, Cell, Curve, Figure, Section, Table, Upward};
+use crate::report::Section;
 use crate::sample::Sample;
+use crate::scaling::Scaling;
 use crate::truth::Tree;
 use crate::world::World;
 use a6_kdtree::bvh::Bvh;
@@ -40,6 +42,8 @@ pub struct Options {
 
 const SETS: [&str; 3] = ["primary", "bounce", "random"];
 const STRUCTURES: [&str; 2] = ["bvh", "kd SAH"];
+/// Builds that take longer, in milliseconds, are not repeated.
+const AGAIN: f64 = 300.0;
 /// Each structure with each set.
 const SERIES: usize = SETS.len() * STRUCTURES.len();
 
@@ -61,88 +65,39 @@ struct Point {
 /// # Errors
 /// If a mesh is unknown.
 pub fn measure(options: &Options) -> Result<Section, AppError> {
-    let mut points = Vec::new();
+    let (mut points, mut building) = (Vec::new(), Scaling::new("Building", &STRUCTURES));
     for mesh in &options.meshes {
         note(&format!("{mesh} ..."));
-        points.extend(on_mesh(&World::named(mesh)?, options));
+        let world = World::named(mesh)?;
+        let (new, builds) = on_mesh(&world, options)?;
+        building.add(mesh, world.triangles(), &builds);
+        points.extend(new);
     }
-    Ok(Section {
-        part: "growth",
-        title: "Cost of a ray from a thousand to ten million triangles".to_owned(),
-        remarks: vec![
-            "a ray of one thread: processor time, median (quartiles); nodes; tested triangles".to_owned(),
-            "fits: a + b log2 n, and the share of the variance that they explain".to_owned(),
-        ],
-        tables: vec![table(&points), fits(&points)],
-        figures: vec![figure(&points)],
-        ..Section::default()
-    })
+    let mut section = table::section(&points);
+    building.show(&mut section);
+    Ok(section)
 }
 
-/// Draws the plot that was asked for.
+/// Draws the plot of the cost of a ray.
 ///
 /// # Errors
 /// If it cannot be written.
 pub fn draw(options: &Options, section: &Section) -> Result<(), AppError> {
-    section.figures.iter().try_for_each(|figure| figure.draw(&options.svg))?;
+    section.figures.first().map_or(Ok(()), |figure| figure.draw(&options.svg))?;
     note(&format!("plot: {}", options.svg.display()));
     Ok(())
 }
 
-fn table(points: &[Point]) -> Table {
-    let columns = ["ns", "nodes", "tests"].map(|name| (name, Better::Less));
-    let mut table = Table::new("cost of a ray", "structure, rays, triangles", &columns);
-    for p in points {
-        let cells = [Cell::from(&p.time), p.nodes.into(), p.tests.into()];
-        table.row(format!("{}, {}", series(p.series), p.triangles), cells);
-    }
-    table
-}
-
-fn figure(points: &[Point]) -> Figure {
-    let time = |p: &Point| (p.triangles as f64, p.time.median());
-    let curves: Vec<Curve> = (0..SERIES).map(|s| Curve::new(series(s), curve(points, s, time))).collect();
-    let line = |c: &Curve| {
-        let f = fit(&c.points.iter().map(|(n, ns)| (n.log2(), *ns)).collect::<Vec<_>>());
-        let ends = [c.points.first(), c.points.last()];
-        Curve::new("", ends.into_iter().flatten().map(|(n, _)| (*n, (f.a + f.b * n.log2()).max(0.0))))
-    };
-    let fits = if points.len() > SERIES { curves.iter().map(line).collect() } else { Vec::new() };
-    let figure = Figure::new("Cost of a ray on ever finer meshes", "triangles", "ns per ray", curves);
-    Figure { upward: Upward::Linear, fits, ..figure }
-}
-
-fn series(number: usize) -> String {
-    format!("{}, {}", STRUCTURES[number / SETS.len()], SETS[number % SETS.len()])
-}
-
-fn curve(points: &[Point], series: usize, of: impl Fn(&Point) -> (f64, f64)) -> Vec<(f64, f64)> {
-    points.iter().filter(|p| p.series == series).map(of).collect()
-}
-
-fn fits(points: &[Point]) -> Table {
-    let names: Vec<String> = ["ns", "nodes", "tests"]
-        .iter()
-        .flat_map(|what| ["a", "b", "explained"].map(|number| format!("{what}: {number}")))
-        .collect();
-    let columns: Vec<_> = names.iter().map(|name| (name.as_str(), Better::Neither)).collect();
-    let mut table = Table::new("fits", "structure, rays", &columns);
-    for s in 0..SERIES {
-        let line = |of: fn(&Point) -> f64| {
-            let f = fit(&curve(points, s, |p| ((p.triangles as f64).log2(), of(p))));
-            [f.a, f.b, f.explained]
-        };
-        let times = line(|p| p.time.median()).map(Cell::derived);
-        let work = [line(|p| p.nodes), line(|p| p.tests)].concat();
-        table.row(series(s), times.into_iter().chain(work.into_iter().map(Cell::from)));
-    }
-    table
-}
-
-fn on_mesh(world: &World, options: &Options) -> Vec<Point> {
+/// What rays cost through each structure, and the milliseconds that each took to build.
+fn on_mesh(world: &World, options: &Options) -> Result<(Vec<Point>, Vec<Sample>), AppError> {
     let names = SETS.map(str::to_owned);
     let sets = make(world, &Tree::new(&world.mesh), usize::from(options.side), &names);
-    let built = [build(0, &world.geometry), build(1, &world.geometry)];
+    let (mut built, mut builds) = (Vec::new(), Vec::new());
+    for structure in 0..STRUCTURES.len() {
+        let (accel, time) = build_timed(structure, &world.geometry, options.rounds)?;
+        built.push(accel);
+        builds.push(time);
+    }
     let mut times = vec![Sample::default(); SERIES];
     let mut work = vec![Counters::default(); times.len()];
     for round in 0..=options.rounds.max(1) {
@@ -164,7 +119,23 @@ fn on_mesh(world: &World, options: &Options) -> Vec<Point> {
         nodes: work[s].cells as f64 / rays(s),
         tests: work[s].intersections as f64 / rays(s),
     };
-    (0..times.len()).map(point).collect()
+    Ok(((0..times.len()).map(point).collect(), builds))
+}
+
+/// A structure, and milliseconds of processor time; what is quick to build is built again.
+fn build_timed(
+    structure: usize,
+    geometry: &Geometry,
+    rounds: usize,
+) -> Result<(Box<dyn Accel + '_>, Sample), AppError> {
+    let (accel, span) = clock::time(|| build(structure, geometry))?;
+    let mut times: Sample = [span.cpu].into_iter().collect();
+    if span.cpu < AGAIN {
+        for _ in 1..rounds {
+            times.add(clock::time(|| drop(black_box(build(structure, geometry))))?.1.cpu);
+        }
+    }
+    Ok((accel, times))
 }
 
 fn build(structure: usize, geometry: &Geometry) -> Box<dyn Accel + '_> {
@@ -194,7 +165,7 @@ mod tests {
     fn nodes_grow_with_the_logarithm() {
         let options = Options { meshes: Vec::new(), side: 32, rounds: 1, svg: PathBuf::new() };
         let [small, large] =
-            ["sphere2k", "sphere32k"].map(|name| on_mesh(&World::named(name).unwrap(), &options));
+            ["sphere2k", "sphere32k"].map(|name| on_mesh(&World::named(name).unwrap(), &options).unwrap().0);
         for (a, b) in small.iter().zip(&large) {
             assert!(b.nodes > a.nodes && b.nodes < 3.0 * a.nodes, "{a:?} {b:?}");
             assert!(a.time.median() > 0.0 && a.tests > 0.0);

@@ -6,7 +6,8 @@ use crate::sample::Sample;
 use crate::statistics::Mean;
 use common::picture::Size;
 
-const COLUMNS: [(&str, Better); 8] = [
+const COLUMNS: [(&str, Better); 9] = [
+    ("s", Better::Less),
     ("Mpaths/s", Better::More),
     ("rays/path", Better::Neither),
     ("RMSE", Better::Less),
@@ -16,6 +17,9 @@ const COLUMNS: [(&str, Better); 8] = [
     ("mean off, %", Better::Less),
     ("worst block off, %", Better::Less),
 ];
+
+/// The column that the headline is about.
+const EFFICIENCY: usize = 6;
 
 /// The section before anything was measured.
 pub fn section() -> Section {
@@ -38,11 +42,12 @@ pub fn add(section: &mut Section, name: &str, size: Size, recipes: &[Recipe], sh
     for (recipe, shots) in recipes.iter().zip(shots) {
         table.row(label(recipe), cells(recipe, size, shots));
     }
-    let price = |row: usize| table.rows[row].cells[5].value().unwrap_or(f64::NAN);
+    table.mark_front("s", "relative RMSE", |_| true);
+    let price = |row: usize| table.rows[row].cells[EFFICIENCY].value().unwrap_or(f64::NAN);
     let best = (0..table.rows.len()).min_by(|a, b| price(*a).total_cmp(&price(*b)));
     if let (true, Some(row)) = (section.headline.is_empty(), best.map(|b| &table.rows[b])) {
         let what = format!("{name}: efficiency, least sqrt(relMSE*s), by {}", row.label);
-        section.headline.push((what, row.cells[5].clone()));
+        section.headline.push((what, row.cells[EFFICIENCY].clone()));
     }
     section.tables.push(table);
     section.figures.push(figure(name, recipes, shots));
@@ -52,12 +57,13 @@ fn label(recipe: &Recipe) -> String {
     format!("{:?}, {:?}, {}", recipe.rules.integrator, recipe.pattern, recipe.spp)
 }
 
-fn cells(recipe: &Recipe, size: Size, shots: &[Shot]) -> [Cell; 8] {
+fn cells(recipe: &Recipe, size: Size, shots: &[Shot]) -> [Cell; 9] {
     let of = |value: fn(&Shot) -> f64| Mean::of(&shots.iter().map(value).collect::<Vec<_>>());
     let paths = size.pixels() as f64 * f64::from(recipe.spp);
-    let rate: Sample = shots.iter().map(|s| paths / s.seconds / 1e6).collect();
+    let seconds: Sample = shots.iter().map(|s| s.seconds).collect();
     [
-        Cell::from(&rate),
+        Cell::from(&seconds),
+        Cell::from(&seconds.map(|s| paths / s / 1e6)),
         Cell::from(of(|s| s.rays).value / paths),
         of(|s| s.rmse).cell(1.0),
         of(|s| s.relative.sqrt()).cell(1.0),
@@ -111,7 +117,9 @@ mod tests {
         let shots = [shot(1.0, 4.0), shot(4.0, 1.0), shot(2.0, 0.04), shot(8.0, 0.02)];
         let mut section = section();
         add(&mut section, "box", Size::new(4, 4).unwrap(), &recipes, &shots);
-        assert_eq!(section.tables[0].rows[1].cells[1].value(), Some(2.5));
+        assert_eq!(section.tables[0].rows[1].cells[2].value(), Some(2.5));
+        let marked: Vec<bool> = section.tables[0].rows.iter().map(|row| row.marks[4]).collect();
+        assert_eq!(marked, [true, false, true, true]);
         let figure = &section.figures[0];
         assert_eq!(figure.curves.iter().map(|c| c.points.len()).collect::<Vec<_>>(), [2, 2]);
         assert_eq!(figure.front.len(), 3, "the second is dearer and worse than the third");

@@ -49,16 +49,22 @@ impl Table {
         Self { rivals: true, ..Self::new(title, labels, columns) }
     }
 
-    /// Adds a row.
+    /// Adds a row. A label that is there already gets a number, so that rows stay unlike each other.
     ///
     /// # Panics
-    /// If it has not one cell for each column after the first, or a label that is there already.
+    /// If it has not one cell for each column after the first.
     pub fn row(&mut self, label: impl Into<String>, cells: impl IntoIterator<Item = Cell>) {
         let (label, cells): (_, Vec<Cell>) = (label.into(), cells.into_iter().collect());
+        let label = self.unlike(label);
         let row = Row { label, marks: vec![false; cells.len()], cells };
         assert_eq!(row.cells.len() + 1, self.columns.len(), "{}: {row:?}", self.title);
-        assert!(self.rows.iter().all(|r| r.label != row.label), "{}: {} twice", self.title, row.label);
         self.rows.push(row);
+    }
+
+    fn unlike(&self, label: String) -> String {
+        let is_new = |label: &String| self.rows.iter().all(|row| row.label != *label);
+        let numbered = (2..).map(|n| format!("{label} ({n})"));
+        std::iter::once(label.clone()).chain(numbered).find(is_new).unwrap_or(label)
     }
 
     /// Puts a figure where a row and a column meet, both of which are added if need be.
@@ -140,8 +146,10 @@ mod tests {
     }
 
     #[test]
-    #[should_panic(expected = "a twice")]
     fn labels_are_unlike_each_other() {
-        table(true).row("a", [Cell::None, Cell::None]);
+        let mut table = table(true);
+        (0..2).for_each(|_| table.row("a", [Cell::None, Cell::None]));
+        let labels: Vec<_> = table.rows.iter().map(|row| row.label.as_str()).collect();
+        assert_eq!(labels, ["a", "b", "c", "a (2)", "a (3)"]);
     }
 }

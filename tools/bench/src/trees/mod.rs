@@ -158,6 +158,7 @@ fn section(world: &World, side: u32, costs: &[Cost]) -> Section {
         let times = std::iter::once(&cost.build).chain(&cost.views).map(Cell::from);
         table.row(format!("{name}{part}"), times.chain(work));
     }
+    table.mark_front("build, s", views.last().map_or("", String::as_str), |_| true);
     let title = format!("{}: building against five pictures", world.name);
     let point = |(name, cost): (&str, &Cost)| {
         let pictures = cost.views.iter().map(Sample::median).sum();
