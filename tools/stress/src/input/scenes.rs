@@ -57,5 +57,5 @@ pub fn read(_: &str, bytes: &[u8]) -> Result<(), String> {
         return Err(format!("a refusal without a place: {error}"));
     }
     // To draw the excerpt takes several times as long as to find the mistake.
-    if bytes.len() % 8 == 0 { refusal(&error.to_string()) } else { Ok(()) }
+    if bytes.len().is_multiple_of(8) { refusal(&error.to_string()) } else { Ok(()) }
 }
