@@ -284,3 +284,26 @@ mod on_unix {
         }
     }
 }
+
+#[test]
+fn headers_that_promise_more_than_there_is_are_refused_at_once() {
+    let folder = Folder::new();
+    for (name, header) in [
+        ("a.ppm", &b"P6\n16384 16384\n255\nabc"[..]),
+        ("a.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16384 +X 16384\n\x02\x02"),
+    ] {
+        fs::write(folder.path(name), header).unwrap();
+        let error = read(&folder.path(name), Transfer::Linear).unwrap_err();
+        let cause = std::error::Error::source(&error).map(ToString::to_string).unwrap_or_default();
+        assert!(cause.contains("cannot be in a file of"), "{error}: {cause}");
+    }
+}
+
+#[test]
+fn what_packs_well_is_believed() {
+    let folder = Folder::new();
+    let black = Film::new(size(3000, 3000));
+    write(&folder.path("black.png"), &black, Transfer::Linear).unwrap();
+    assert!(fs::metadata(folder.path("black.png")).unwrap().len() < 100_000);
+    assert_eq!(read(&folder.path("black.png"), Transfer::Linear).unwrap().size(), black.size());
+}

@@ -41,7 +41,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<(), String> {
         "a9_simplification" => parsed::<a9_simplification::Program>(&words),
         "a8_path_tracing" if text.contains("-merge") => parsed::<a8_path_tracing::merge::Program>(&words),
         "a8_path_tracing" => parsed::<a8_path_tracing::Program>(&words),
-        // Each step knows the flags of those before it: the first and the last of them take turns.
+        // Each step knows the flags of those before it.
         _ if bytes.len().is_multiple_of(4) => parsed::<a1_ray_casting::Program>(&words),
         _ => parsed::<a7_sampling::Program>(&words),
     }

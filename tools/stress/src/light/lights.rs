@@ -4,16 +4,15 @@
 use super::chi::Family;
 use super::stage::{Stage, scene};
 use crate::Stress;
-use crate::kit::Draw;
-use a8_path_tracing::light::{Cluster, Environment, Leaf, LightTree, Lights, Receiver};
+use a8_path_tracing::light::Lights;
 use common::accel::{Accel, List};
 use common::counters::Counters;
-use common::math::{Bounds, DVec3, Interval, Vec3};
-use common::picture::{Film, Size};
+use common::math::{DVec3, Interval, Vec3};
 use common::ray::Ray;
 use std::f64::consts::TAU;
 
-fn sample_count(stress: &Stress) -> usize {
+/// Samples of a light; the sky has half a million at least.
+pub(super) fn sample_count(stress: &Stress) -> usize {
     if stress.tier().is_thorough() { 1_000_000 } else { 50_000 }
 }
 
@@ -215,101 +214,5 @@ pub fn weighed(stress: &Stress) {
         }
         assert!(seen > 16_000, "only {seen} of 18,000 densities agree");
         Ok(0.0)
-    });
-}
-
-fn cluster(draw: &mut Draw) -> Cluster {
-    let low = draw.point(Vec3::splat(-3.0), Vec3::splat(3.0));
-    let size = draw.point(Vec3::ZERO, Vec3::ONE);
-    let power = draw.magnitude(-3.0, 3.0) as f32;
-    let (axis, cos_spread) =
-        if draw.chance(0.5) { (draw.direction().as_vec3(), 1.0 - 1e-6) } else { (Vec3::Z, -1.0) };
-    Cluster { bounds: Bounds { min: low, max: low + size }, power, axis, cos_spread }
-}
-
-/// Trees choose lights as often as they say.
-pub fn trees(stress: &Stress) {
-    stress.case("p13 choices of light trees, χ²", || {
-        let mut family = Family::default();
-        let (mut draw, samples) = (stress.draw(0xa819), sample_count(stress));
-        for count in [1u32, 2, 3, 17, 100, 1000] {
-            let leaves = (0..count).map(|light| Leaf { light, cluster: cluster(&mut draw) }).collect();
-            let tree = LightTree::new(leaves, count as usize);
-            for place in 0..4 {
-                let at = Receiver {
-                    point: draw.point(Vec3::splat(-9.0), Vec3::splat(9.0)),
-                    normal: draw.direction().as_vec3(),
-                };
-                let due: Vec<f64> = (0..count).map(|light| f64::from(tree.probability(&at, light))).collect();
-                let mut counts = vec![0u64; count as usize + 1];
-                for _ in 0..samples {
-                    match tree.choose(&at, draw.unit()) {
-                        None => counts[count as usize] += 1,
-                        Some((light, probability, rest)) => {
-                            counts[light as usize] += 1;
-                            let said = due[light as usize];
-                            assert!(
-                                (f64::from(probability) / said - 1.0).abs() < 1e-5,
-                                "{probability} {said}"
-                            );
-                            assert!((0.0..1.0).contains(&rest));
-                        }
-                    }
-                }
-                // On the way down it may turn out that no light of a group reaches the point.
-                let sum: f64 = due.iter().sum();
-                assert!(sum <= 1.0 + 1e-5, "{sum}");
-                let nothing = (1.0 - sum).max(0.0);
-                let due: Vec<f64> =
-                    due.iter().copied().chain([nothing]).map(|p| p * samples as f64).collect();
-                family.test(format!("{count} lights, place {place}"), &counts, &due);
-            }
-        }
-        family.judge()
-    });
-}
-
-/// A sky with a sun, a black patch, and a sloping rest.
-fn sky() -> Environment {
-    Environment::new(Film::from_fn(Size::new(16, 8).unwrap(), |x, y| match (x, y) {
-        (11, 6) => Vec3::splat(900.0),
-        (0..4, 2) => Vec3::ZERO,
-        _ => Vec3::new(0.1 + x as f32 * 0.05, 0.3, 0.2 + y as f32 * 0.1),
-    }))
-}
-
-/// What the sky offers follows its density.
-pub fn sky_offers(stress: &Stress) {
-    stress.case("p13 offers of the sky, χ²", || {
-        // Bins are quarters of pixels along each side, in which the density times the sine is one.
-        let (columns, rows) = (64usize, 32usize);
-        let sky = sky();
-        let place = |i: f64, j: f64| {
-            let (longitude, from_below) = ((i / 64.0 - 0.5) * TAU, j / 64.0 * TAU);
-            let sine = from_below.sin();
-            (DVec3::new(-longitude.sin() * sine, -from_below.cos(), longitude.cos() * sine), sine)
-        };
-        let mut due: Vec<f64> = (0..columns * rows)
-            .map(|bin| {
-                let (direction, sine) = place((bin % columns) as f64 + 0.5, (bin / columns) as f64 + 0.5);
-                sky.look(direction).1 * sine * (TAU / 64.0).powi(2)
-            })
-            .collect();
-        let sum: f64 = due.iter().sum();
-        assert!((sum - 1.0).abs() < 1e-6, "{sum}");
-        let mut counts = vec![0u64; columns * rows];
-        let (mut draw, samples) = (stress.draw(0xa81a), sample_count(stress).max(500_000));
-        for _ in 0..samples {
-            let (direction, radiance, pdf) = sky.sample([draw.unit(), draw.unit()]).expect("it is not black");
-            let (seen, density) = sky.look(direction);
-            assert!(seen == radiance && (density / pdf - 1.0).abs() < 1e-6, "{direction}: {density} {pdf}");
-            let across = ((-direction.x).atan2(direction.z) / TAU + 0.5) * 64.0;
-            let up = (-direction.y).acos() / TAU * 64.0;
-            counts[(up as usize).min(rows - 1) * columns + (across as usize).min(columns - 1)] += 1;
-        }
-        due.iter_mut().for_each(|p| *p *= samples as f64);
-        let mut family = Family::default();
-        family.test("sky".to_owned(), &counts, &due);
-        family.judge()
     });
 }

@@ -3,14 +3,18 @@
 
 mod bsdf;
 mod chi;
+mod choices;
 mod energy;
 mod lights;
+mod sky;
 mod slope;
 pub mod stage;
 mod unbiased;
 
 pub(crate) use bsdf::{glass, highlights, reciprocity, samples, weights};
+pub(crate) use choices::trees;
 pub(crate) use energy::{black_box, cut_short, furnace, glossy, shells, white_sky};
-pub(crate) use lights::{offers, sky_offers, trees, weighed};
+pub(crate) use lights::{offers, weighed};
+pub(crate) use sky::sky_offers;
 pub(crate) use slope::slopes;
 pub(crate) use unbiased::{bounces, direct_light, integrators, samplers};
