@@ -70,6 +70,7 @@ macro_rules! all_properties {
             13 p13_furnace "white things in a white world cannot be seen" => light::furnace;
             13 p13_white_sky "nor under a white sky that is asked for" => light::white_sky;
             13 p13_glossy "glossy things are not brighter than their world" => light::glossy;
+            13 p13_absorption "glass dims light as Beer and Lambert say" => light::absorption;
             13 p13_shells "a closed shell has the radiance of the series" => light::shells;
             13 p13_lights "what lights offer follows its density" => light::offers;
             13 p13_offers "paths are weighed by the density of the offer" => light::weighed;

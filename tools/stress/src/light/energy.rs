@@ -69,6 +69,22 @@ pub fn white_sky(stress: &Stress) {
     });
 }
 
+/// Through the middle of a ball that bends nothing, of radius 1 and in front of a white world, comes
+/// exp(−2·absorption).
+pub fn absorption(stress: &Stress) {
+    stress.case("p13 absorption, off exp(−k t)", || {
+        let camera = "PerspectiveCamera { center 0 0 5  direction 0 0 -1  up 0 1 0  angle 0.5 }";
+        let glass = "diffuseColor 0 0 0 transparentColor 1 1 1 indexOfRefraction 1 absorption 0.25 0.5 1";
+        let text = scene(camera, "1 1 1", &[], &[glass], "Sphere { center 0 0 0 radius 1 }");
+        let film = Stage::new(&text, &[], "-size 4 4 -spp 4").film(1);
+        let found = mean(&film);
+        let off =
+            (0..3).map(|i| (found[i] - (-2.0 * [0.25f32, 0.5, 1.0][i]).exp()).abs()).fold(0.0, f32::max);
+        assert!(off < 2e-4, "{found}");
+        Ok(f64::from(off))
+    });
+}
+
 /// Glossy things in a white world are not brighter than it.
 pub fn glossy(stress: &Stress) {
     stress.case("p13 glossy things, brightest", || {

@@ -13,7 +13,7 @@ mod unbiased;
 
 pub(crate) use bsdf::{glass, highlights, reciprocity, samples, weights};
 pub(crate) use choices::trees;
-pub(crate) use energy::{black_box, cut_short, furnace, glossy, shells, white_sky};
+pub(crate) use energy::{absorption, black_box, cut_short, furnace, glossy, shells, white_sky};
 pub(crate) use lights::{offers, weighed};
 pub(crate) use sky::sky_offers;
 pub(crate) use slope::slopes;
