@@ -112,7 +112,7 @@ fn a_stopped_pass_counts_for_nothing() {
     let mut sums = Sums::new(frame, ALL, 0).unwrap();
     let options =
         TileOptions { stop: Some(&stop), threads: Some(2), tile: Some(4), ..TileOptions::default() };
-    let rendering = a8_path_tracing::render::Rendering { goal: goal(64), options };
+    let rendering = Rendering { goal: goal(64), options };
     let tally = rendering.run(&Impatient(&stop), &mut sums, |_| {});
     assert_eq!((tally.end, sums.samples.clone()), (End::Stopped, 0..8));
     assert!(sums == part(&WILD, frame, 0..8));
@@ -161,7 +161,7 @@ impl Estimator for Noisy {
 
 fn until(error: f64, end: u32, sums: &mut Sums) -> End {
     let goal = Goal { end, time: None, error: Some(error) };
-    a8_path_tracing::render::Rendering { goal, options: TileOptions::default() }.run(&Noisy, sums, |_| {}).end
+    Rendering { goal, options: TileOptions::default() }.run(&Noisy, sums, |_| {}).end
 }
 
 #[test]

@@ -130,7 +130,7 @@ pub const CASES: [Case; 20] = [
     ),
     plain("secondary rays of black weight", "black", BALLS, "-size 200 200 -shadows -bounces 3", RAYS),
     plain(
-        "points and normals of candidates and of what blocks light: one for each hit that is shaded",
+        "points and normals of what is not shaded: one for each hit",
         "",
         "scene5_07_bunny_mesh_1k.txt",
         "-size 100 100 -shadows",
@@ -180,7 +180,7 @@ pub const CASES: [Case; 20] = [
     by(
         "a6_kdtree",
         plain(
-            "planes in trees: what is held of two balls and a plane",
+            "planes in trees: held of two balls and a plane",
             "",
             BALLS,
             "-size 100 100 -kdtree",
