@@ -79,9 +79,9 @@ pub fn absorption(stress: &Stress) {
         let film = Stage::new(&text, &[], "-size 4 4 -spp 4").film(1);
         let found = mean(&film);
         let off =
-            (0..3).map(|i| (found[i] - (-2.0 * [0.25f32, 0.5, 1.0][i]).exp()).abs()).fold(0.0, f32::max);
+            (0..3).map(|i| (found[i] - (-2.0 * [0.25f64, 0.5, 1.0][i]).exp()).abs()).fold(0.0, f64::max);
         assert!(off < 2e-4, "{found}");
-        Ok(f64::from(off))
+        Ok(off)
     });
 }
 
