@@ -200,6 +200,8 @@ impl Iterator for March<'_> {
             return None;
         }
         let (exit, axes) = self.first();
+        // Crossings are in order, their rounded t may be an ulp out of it.
+        let exit = exit.max(self.enter);
         let step = Step { cell: self.cell, enter: self.enter, exit, axis: self.axis };
         for a in 0..3 {
             if axes >> a & 1 == 0 {

@@ -42,8 +42,16 @@ impl Polygon {
         find(self.middle()).0.sqrt() + self.reach2().sqrt()
     }
 
-    /// Cut across its longest side.
+    /// Cut across its longest side, or from corner to corner if it has too many of them to be cut
+    /// elsewhere.
     pub(super) fn halves(self) -> [Self; 2] {
+        if self.is_full() {
+            let (mut first, mut second) = (Self { count: 0, ..self }, Self { count: 0, ..self });
+            self.corners[..=self.count / 2].iter().for_each(|&p| first.push(p));
+            self.corners[self.count / 2..self.count].iter().for_each(|&p| second.push(p));
+            second.push(self.corners[0]);
+            return [first, second];
+        }
         let sides = (0..self.count).map(|i| (self.corners[i], self.corners[(i + 1) % self.count]));
         let longest =
             sides.max_by(|s, t| (s.1 - s.0).length_squared().total_cmp(&(t.1 - t.0).length_squared()));
@@ -63,6 +71,11 @@ impl Polygon {
         squares.fold(0.0, f64::max).sqrt()
     }
 
+    /// Whether a cut would not fit.
+    fn is_full(&self) -> bool {
+        self.count + 2 > CORNERS
+    }
+
     fn push(&mut self, p: DVec3) {
         self.corners[self.count] = p;
         self.count += 1;
@@ -75,7 +88,7 @@ impl Polygon {
         let heights: [f64; CORNERS] =
             std::array::from_fn(|i| if i < whole.count { height(whole.corners[i]) } else { 0.0 });
         let above = heights[..whole.count].iter().filter(|&&h| h > 0.0).count();
-        if above == 0 || whole.count + 2 > CORNERS {
+        if above == 0 || whole.is_full() {
             return None;
         }
         if above == whole.count {
@@ -99,5 +112,37 @@ impl Polygon {
         }
         *self = kept;
         Some(rest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A regular polygon of so many corners.
+    fn regular(count: usize) -> Polygon {
+        let mut polygon = Polygon { corners: [DVec3::ZERO; CORNERS], count: 0 };
+        for i in 0..count {
+            let (sine, cosine) = (std::f64::consts::TAU * i as f64 / count as f64).sin_cos();
+            polygon.push(DVec3::new(cosine, sine, 0.0));
+        }
+        polygon
+    }
+
+    fn area(polygon: &Polygon) -> f64 {
+        let first = polygon.corners[0];
+        let fan = polygon.corners[..polygon.count].windows(2);
+        fan.map(|w| (w[0] - first).cross(w[1] - first).z / 2.0).sum()
+    }
+
+    /// A polygon that cannot be cut into less would be cut for ever.
+    #[test]
+    fn halves_are_less_than_the_whole_and_all_of_it() {
+        for count in 3..=CORNERS {
+            let whole = regular(count);
+            let [one, other] = whole.halves();
+            assert!(area(&one) > 0.0 && area(&other) > 0.0, "{count}");
+            assert!((area(&one) + area(&other) - area(&whole)).abs() < 1e-12, "{count}");
+        }
     }
 }
