@@ -137,7 +137,7 @@ fn transformed_sphere(draw: &mut Draw, depth: usize, stretch: f64) -> Result<f64
 pub fn depths(stress: &Stress) {
     for depth in [1, 4, 16, 64] {
         for power in [0, 2, 4, 6] {
-            let trials = 1024 / depth as u64;
+            let trials = 512 / depth as u64;
             let worst = stress.run(
                 format!("p05 depth {depth}, stretch 1e{power}, error / 32 eps·cond"),
                 501,

@@ -77,7 +77,9 @@ fn judge(
     if faces as f64 > most && result.stopped != Stopped::Stuck {
         faults.push(format!("{faces} faces are more than {most:.0}, and it does not say why"));
     }
-    if comparison.flips.faces > 0 {
+    // The version to read first may leave such faces where sheets are thinner than its error, but says so.
+    let told = if method == Method::Melax { result.against } else { 0 };
+    if comparison.flips.faces > told {
         faults.push(format!("{} faces against the original", comparison.flips.faces));
     }
     for &count in threads {
