@@ -1,9 +1,9 @@
 //! accuracy.md, property 18: whatever is in a file or on a command line, it is read or refused;
 //! never a panic, a hang, more than 512 MiB or 10 s. Declared counts allocate nothing.
 //!
-//! Every [`Family`] of inputs has samples (the repository's own files) and a reader. Its cases are
+//! Every `Family` of inputs has samples (the repository's own files) and a reader. Its cases are
 //! numbered: every prefix, then edits of single bytes, then swaps. They are read one after the
-//! other by a child process whose memory the shell limits ([`watchdog`]), since a limit that a
+//! other by a child process whose memory the shell limits (`watchdog`), since a limit that a
 //! process could set itself would need `unsafe`. The child is this very program, told by its
 //! environment what to do ([`serve`]).
 
