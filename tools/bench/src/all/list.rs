@@ -35,7 +35,7 @@ const ALL: [(&str, &str, &str); 12] = [
         "",
     ),
     ("skips", "--quick", ""),
-    ("stress", "--only p01_grid p02_places p07_spheres p10_meshes p11_random p18_scenes", "--full"),
+    ("stress", "--only p01_grid p02_places p07_spheres p10_meshes p11_random p18_ifs", "--full"),
 ];
 
 /// All parts, or those of these names in the order of the list.

@@ -51,7 +51,11 @@ const FAMILIES: [Family; 6] = [
         name: "pictures",
         samples: pictures::samples,
         read: pictures::read,
-        numbers: |_| Numbers { prefixes: 1000, edits: 20_000, swaps: 20_000 },
+        numbers: |thorough| Numbers {
+            prefixes: 1000,
+            edits: if thorough { 20_000 } else { 8_000 },
+            swaps: if thorough { 20_000 } else { 8_000 },
+        },
     },
     Family {
         name: "checkpoints",
