@@ -38,15 +38,17 @@ struct Task {
 /// of `from`, `near` tells a point of `to` that should be close.
 pub(super) fn deviation(from: &Surface, to: &Surface, near: &[u32]) -> f64 {
     let mut bound = LEAST;
+    let cells = Cells::new(to);
+    let find = |p: DVec3| cells.nearest(p);
     let mut starts = Vec::with_capacity(from.faces.len());
     for face in &from.faces {
         let corners = face.corners();
         let [a, b, c] = corners.map(|p| from.at(p));
         let (square, landing) = locate(to, near[corners[0] as usize], (a + b + c) / 3.0);
-        starts.push((square, landing.face));
+        // A point of faces without area may find nothing around it.
+        let face = if landing.face == NONE { find((a + b + c) / 3.0).1 } else { landing.face };
+        starts.push((square, face));
     }
-    let cells = Cells::new(to);
-    let find = |p: DVec3| cells.nearest(p);
     // A large distance is there to be found early, so that the others need not be looked at.
     let largest = from.faces.iter().zip(&starts).max_by(|x, y| x.1.0.total_cmp(&y.1.0));
     if let Some((face, _)) = largest {

@@ -90,7 +90,8 @@ pub(super) fn nearest(p: DVec3, a: DVec3, b: DVec3, c: DVec3) -> [f64; 3] {
         return [0.0, 1.0, 0.0];
     }
     let beyond_ab = along_ab * ac_from_b - ab_from_b * along_ac;
-    if beyond_ab <= 0.0 && along_ab >= 0.0 && ab_from_b <= 0.0 {
+    // Where a and b are one point, the side from a to c has its turn.
+    if beyond_ab <= 0.0 && along_ab >= 0.0 && ab_from_b <= 0.0 && bb > 0.0 {
         let t = along_ab / bb;
         return [1.0 - t, t, 0.0];
     }
@@ -111,4 +112,25 @@ pub(super) fn nearest(p: DVec3, a: DVec3, b: DVec3, c: DVec3) -> [f64; 3] {
     }
     let sum = beyond_bc + beyond_ac + beyond_ab;
     [beyond_bc / sum, beyond_ac / sum, beyond_ab / sum]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two corners, or all three, at one place: the nearest point is that of the segment, and no NaN.
+    #[test]
+    fn triangles_without_area_have_a_nearest_point() {
+        let (p, far) = (DVec3::new(0.25, 1.0, 0.0), DVec3::X);
+        for corners in [
+            [DVec3::ZERO, DVec3::ZERO, far],
+            [DVec3::ZERO, far, DVec3::ZERO],
+            [far, DVec3::ZERO, DVec3::ZERO],
+        ] {
+            let [a, b, c] = corners;
+            let [u, v, w] = nearest(p, a, b, c);
+            assert!((a * u + b * v + c * w - DVec3::X * 0.25).length() < 1e-15, "{corners:?}: {u} {v} {w}");
+        }
+        assert_eq!(nearest(p, far, far, far).iter().sum::<f64>(), 1.0);
+    }
 }

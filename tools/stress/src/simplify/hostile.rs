@@ -71,7 +71,7 @@ fn soup(draw: &mut Draw) -> Mesh {
 
 /// Soups by every method to every ratio.
 pub fn soups(stress: &Stress) {
-    stress.run("p17 soups", 1701, 3_000, |draw| {
+    stress.run("p17 soups", 1701, 10_000, |draw| {
         let mesh = soup(draw);
         let (method, ratio) = (draw.pick(&METHODS), draw.pick(&[0.9, 0.5, 0.1, 0.0]));
         let result = sound(&mesh, ratio, method).map_err(|why| format!("{why}\n{mesh:?}"))?;
