@@ -35,7 +35,7 @@ mod watertight;
 
 pub use registry::{Property, properties};
 pub use row::{Failure, Row};
-pub use stress::{Single, Stress};
+pub use stress::{Single, Stress, panic_words};
 pub use survey::{again, examine, is_chosen, survey};
 pub use tier::{Tier, Trials};
 

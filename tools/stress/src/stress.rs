@@ -163,10 +163,12 @@ pub(crate) fn setting(name: &str) -> Option<u64> {
 
 /// A panic as an error.
 pub(crate) fn guarded<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
-    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| Err(format!("panic: {}", words(&*payload))))
+    catch_unwind(AssertUnwindSafe(work))
+        .unwrap_or_else(|payload| Err(format!("panic: {}", panic_words(&*payload))))
 }
 
-fn words(payload: &(dyn Any + Send)) -> &str {
+/// What a panic said.
+pub fn panic_words(payload: &(dyn Any + Send)) -> &str {
     let text = payload.downcast_ref::<String>().map(String::as_str);
     text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("without words")
 }

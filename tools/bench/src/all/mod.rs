@@ -12,6 +12,7 @@ use crate::compare;
 use crate::page::{self, Chapter};
 use crate::report::csv::{self, Record};
 use crate::report::{Better, Cell, Section, Table};
+use ::stress::panic_words;
 use common::atomic::replace;
 use common::cli::{AppError, note, say, set_quiet};
 use list::Entry;
@@ -80,9 +81,10 @@ fn perform(options: &Options, entries: &[Entry]) -> Result<(), AppError> {
         let load = watch.stop();
         // Some parts silence what they call.
         set_quiet(false);
-        tell(entry, &outcome, &load);
+        let chapter = Chapter { name: entry.name, command: entry.command(), outcome };
+        tell(&chapter, &load);
         run.loads.push((entry.clone(), load));
-        run.chapters.push(Chapter { name: entry.name, command: entry.command(), outcome });
+        run.chapters.push(chapter);
         run.write()?;
     }
     run.tell();
@@ -103,25 +105,17 @@ fn measured(entry: &Entry) -> Result<Section, String> {
     let work = || entry.part()?.measure();
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(result) => result.map_err(|error| error.report()),
-        Err(panic) => {
-            let text = panic.downcast_ref::<String>().map(String::as_str);
-            let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
-            Err(format!("error: the part panicked: {}", text.unwrap_or("it did not say why")))
-        }
+        Err(panic) => Err(format!("error: the part panicked: {}", panic_words(&*panic))),
     }
 }
 
 /// A line about a part that has ended.
-fn tell(entry: &Entry, outcome: &Result<Section, String>, load: &Load) {
-    let state = if is_fine(outcome) { "done" } else { "FAILED" };
+fn tell(chapter: &Chapter, load: &Load) {
+    let state = if chapter.failed() { "FAILED" } else { "done" };
     let others = format!(", others had {:.0} % of the processors", load.others * 100.0);
     // What is over within a tick of the kernel's clock has no shares.
     let others = if load.others.is_nan() { "" } else { &others };
-    note(&format!("{} {state}: {:.1} s{others}", entry.name, load.seconds));
-}
-
-fn is_fine(outcome: &Result<Section, String>) -> bool {
-    outcome.as_ref().is_ok_and(|section| section.faults.is_empty())
+    note(&format!("{} {state}: {:.1} s{others}", chapter.name, load.seconds));
 }
 
 impl Run<'_> {
@@ -204,7 +198,7 @@ impl Run<'_> {
     }
 
     fn verdict(&self) -> Result<(), AppError> {
-        let bad = self.chapters.iter().filter(|c| !is_fine(&c.outcome));
+        let bad = self.chapters.iter().filter(|c| c.failed());
         let line = |c: &Chapter| match &c.outcome {
             Ok(section) => format!("{}: {}", c.name, section.faults.join("; ")),
             Err(text) => format!("{}: {}", c.name, text.trim_end()),

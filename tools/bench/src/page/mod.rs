@@ -50,7 +50,8 @@ fn contents(chapters: &[Chapter]) -> String {
 }
 
 impl Chapter {
-    fn failed(&self) -> bool {
+    /// Whether it could not be measured, or something that it found is wrong.
+    pub fn failed(&self) -> bool {
         self.outcome.as_ref().map_or(true, |section| !section.faults.is_empty())
     }
 }

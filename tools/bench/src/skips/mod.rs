@@ -8,6 +8,7 @@
 mod case;
 
 use crate::child;
+use crate::pictures::at_home;
 use crate::report::{Better, Cell, Section, Table};
 use crate::sample::Sample;
 use case::{CASES, Case, MESH};
@@ -49,9 +50,7 @@ struct Both {
 /// If not started from the repository's root, if a command line fails, or if a skip changes a
 /// picture or a count.
 pub fn measure(options: &Options) -> Result<Section, AppError> {
-    if !Path::new("scenes").is_dir() {
-        return Err(AppError::Usage("run this from the repository's root, where scenes/ is".to_owned()));
-    }
+    at_home()?;
     let (rounds, least) = if options.quick {
         (options.rounds.min(3), options.least.min(50))
     } else {

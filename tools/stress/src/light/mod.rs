@@ -5,6 +5,7 @@ mod bsdf;
 mod chi;
 mod choices;
 mod energy;
+pub mod everything;
 mod lights;
 mod sky;
 mod slope;
