@@ -18,27 +18,27 @@ use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Origin, Render
 /// An error in a scene file. `Display` gives the whole report: the message, the file, line and
 /// column, the line itself with a caret, and a hint where there is one.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{}", .0.rendered)]
+#[error("{}", .0.render())]
 pub struct SceneError(Box<Report>);
 
+/// What a report is drawn from when somebody wants to read it: to draw it takes longer than to
+/// read the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Report {
     file: String,
     position: Option<Position>,
     message: String,
-    rendered: String,
+    /// Words at the caret, and at the second place.
+    labels: [Option<String>; 2],
+    help: Option<String>,
+    excerpts: Vec<Excerpt>,
 }
 
 impl SceneError {
     /// An error of the whole file (it cannot be read, say), without a position.
     pub(super) fn of_file(file: &str, message: String, help: Option<String>) -> Self {
-        let title = Level::ERROR.primary_title(&message);
-        let mut group = Group::with_title(title).element(Origin::path(file));
-        if let Some(help) = &help {
-            group = group.element(Level::HELP.message(help));
-        }
-        let rendered = Renderer::plain().render(&[group]);
-        Self(Box::new(Report { file: file.to_owned(), position: None, message, rendered }))
+        let (labels, excerpts) = Default::default();
+        Self(Box::new(Report { file: file.to_owned(), position: None, message, labels, help, excerpts }))
     }
 
     /// The scene file's name, as it was given to the loader.
@@ -103,46 +103,48 @@ impl Fault {
         Err(Box::new(self))
     }
 
-    /// Renders the fault against the text it was found in.
+    /// The fault in the text it was found in, of which only what will be shown is kept.
     pub fn into_error(self, file: &str, text: &str) -> SceneError {
-        let position = position_of(text, self.span.start);
-        let rendered = self.render(file, text, position);
+        let (second, second_label) = self.context.unzip();
         SceneError(Box::new(Report {
             file: file.to_owned(),
-            position: Some(position),
+            position: Some(position_of(text, self.span.start)),
             message: self.message,
-            rendered,
+            labels: [self.label, second_label],
+            help: self.help,
+            excerpts: Excerpt::around(text, self.span, second),
         }))
     }
+}
 
-    fn render(&self, file: &str, text: &str, position: Position) -> String {
-        let context = self.context.as_ref().map(|(span, _)| *span);
-        let excerpts = Excerpt::around(text, self.span, context);
-        let title = Level::ERROR.primary_title(&self.message);
-        let mut group = Group::with_title(title);
-        for excerpt in &excerpts {
+impl Report {
+    fn render(&self) -> String {
+        let mut group = Group::with_title(Level::ERROR.primary_title(&self.message));
+        if self.position.is_none() {
+            group = group.element(Origin::path(&self.file));
+        }
+        for excerpt in &self.excerpts {
             group = group.element(self.snippet(excerpt));
         }
         if let Some(help) = &self.help {
             group = group.element(Level::HELP.message(help));
         }
         let report = Renderer::plain().render(&[group]);
-        with_origin(&report, file, position)
+        match self.position {
+            Some(position) => with_origin(&report, &self.file, position),
+            None => report,
+        }
     }
 
     fn snippet<'a>(&'a self, excerpt: &'a Excerpt) -> Snippet<'a, Annotation<'a>> {
-        let primary = excerpt.primary.clone().map(|range| {
-            let label = self.label.as_deref();
-            AnnotationKind::Primary.span(range).label(label)
-        });
-        let context = excerpt.context.clone().map(|range| {
-            let label = self.context.as_ref().map(|(_, label)| label.as_str());
-            AnnotationKind::Context.span(range).label(label)
-        });
-        Snippet::source(excerpt.text.as_str())
-            .line_start(excerpt.first_line)
-            .annotations(primary)
-            .annotations(context)
+        let marks = [AnnotationKind::Primary, AnnotationKind::Context];
+        let ranges = [&excerpt.primary, &excerpt.context];
+        let annotations = marks
+            .into_iter()
+            .zip(ranges)
+            .zip(&self.labels)
+            .filter_map(|((kind, range), label)| Some(kind.span(range.clone()?).label(label.as_deref())));
+        Snippet::source(excerpt.text.as_str()).line_start(excerpt.first_line).annotations(annotations)
     }
 }
 

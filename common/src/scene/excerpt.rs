@@ -17,6 +17,7 @@ const AFTER: usize = 60;
 const TOGETHER: usize = 200;
 
 /// Consecutive lines with the byte ranges to mark in them.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Excerpt {
     /// The lines, joined with line feeds; those left out of a long stretch are empty.
     pub text: String,

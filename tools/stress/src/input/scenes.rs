@@ -56,6 +56,6 @@ pub fn read(_: &str, bytes: &[u8]) -> Result<(), String> {
     if !located {
         return Err(format!("a refusal without a place: {error}"));
     }
-    // To draw the excerpt takes several times as long as to find the mistake.
-    if bytes.len().is_multiple_of(8) { refusal(&error.to_string()) } else { Ok(()) }
+    // To draw the excerpt takes ten times as long as to find the mistake.
+    if bytes.len().is_multiple_of(16) { refusal(&error.to_string()) } else { Ok(()) }
 }

@@ -1,8 +1,8 @@
 //! Property 11: the march against an oracle that sorts all crossings exactly.
 
 use super::{any_cells, ends, lattice_point};
-use crate::Stress;
 use crate::kit::{Draw, cells_crossed, ray_bits};
+use crate::{Stress, Trials};
 use a5_grid::{Cells, March};
 use common::math::{Interval, Vec3};
 use common::ray::Ray;
@@ -36,15 +36,25 @@ fn check(cells: &Cells, ray: &Ray, forward: bool) -> Result<f64, String> {
 
 /// Random rays through up to 1024 cells an axis.
 pub fn random(stress: &Stress) {
-    let longest = stress.run("p11 march, random rays, up to 1024 cells an axis", 1101, 100_000, |draw| {
-        let cells = any_cells(draw, 1024);
-        random_ray(draw, &cells).and_then(|(ray, forward)| check(&cells, &ray, forward))
-    });
+    let longest = stress.run(
+        "p11 march, random rays, up to 1024 cells an axis",
+        1101,
+        Trials::new(20_000, 1_000_000),
+        |draw| {
+            let cells = any_cells(draw, 1024);
+            random_ray(draw, &cells).and_then(|(ray, forward)| check(&cells, &ray, forward))
+        },
+    );
     stress.expect("p11 cells of the longest way", longest, |longest| longest > 1000.0);
-    stress.run("p11 march, random rays, up to 40 cells an axis", 1102, 900_000, |draw| {
-        let cells = any_cells(draw, 40);
-        random_ray(draw, &cells).and_then(|(ray, forward)| check(&cells, &ray, forward))
-    });
+    stress.run(
+        "p11 march, random rays, up to 40 cells an axis",
+        1102,
+        Trials::new(180_000, 9_000_000),
+        |draw| {
+            let cells = any_cells(draw, 40);
+            random_ray(draw, &cells).and_then(|(ray, forward)| check(&cells, &ray, forward))
+        },
+    );
 }
 
 fn random_ray(draw: &mut Draw, cells: &Cells) -> Result<(Ray, bool), String> {

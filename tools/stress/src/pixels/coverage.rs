@@ -65,12 +65,11 @@ fn mean_over_seeds(found: &[(Vec3, f64)], channel: usize) -> (f64, f64) {
 }
 
 /// By how many standard errors the mean over seeds is off, for every pattern and region.
-fn scores(kernel: Kernel, regions: &[Region; 3]) -> Vec<(f64, String)> {
-    const SEEDS: u64 = 120;
+fn scores(kernel: Kernel, regions: &[Region; 3], seeds: u64) -> Vec<(f64, String)> {
     let exact = regions.map(|region| coverage(kernel, region));
     let of_pattern = |pattern: Pattern| {
         let of_seed = |seed| pixel(kernel, &*pattern.sampler(9, 16, seed), 9, regions);
-        let found: Vec<_> = (0..SEEDS).map(of_seed).collect();
+        let found: Vec<_> = (0..seeds).map(of_seed).collect();
         (0..3).map(move |channel| {
             let (mean, error) = mean_over_seeds(&found, channel);
             // Films are single precision.
@@ -91,7 +90,9 @@ pub fn analytic(stress: &Stress) {
     let cases: Vec<_> = KERNELS.into_iter().flat_map(|k| RADII.map(|r| (k(r), regions(r)))).collect();
     let cases: Vec<_> =
         cases.iter().flat_map(|(kernel, both)| both.iter().map(move |r| (*kernel, r))).collect();
-    let scores: Vec<_> = cases.par_iter().flat_map_iter(|(kernel, three)| scores(*kernel, three)).collect();
+    let seeds = if stress.tier().is_thorough() { 120 } else { 60 };
+    let scores: Vec<_> =
+        cases.par_iter().flat_map_iter(|(kernel, three)| scores(*kernel, three, seeds)).collect();
     let beyond: Vec<_> = scores.iter().filter(|(score, _)| *score > 3.0).collect();
     let spread = (scores.iter().map(|(s, _)| s * s).sum::<f64>() / scores.len() as f64).sqrt();
     let worst = scores.iter().max_by(|a, b| a.0.total_cmp(&b.0)).expect("there are cases");

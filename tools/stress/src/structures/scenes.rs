@@ -44,13 +44,14 @@ fn geometry_agrees(stress: &Stress, name: &str, geometry: &Geometry, camera: &Ca
     list.validate().unwrap_or_else(|e| panic!("{name}: {e}"));
     let others = structures(geometry, &grids);
     let ray = |draw: &mut Draw| (scene_ray(draw, camera, geometry, &around), any_interval(draw, reach));
-    let by_list = (12_000_000 / size.max(1)).clamp(1_000, 12_000);
-    let by_all = |full: u64| Trials::new(by_list.min(full), full.min(100 * by_list));
-    stress.run(format!("p10 {name}"), 1001, by_all(FULL_RAYS), |draw| {
+    // As many rays as keep the list's triangle tests to a number, within reason.
+    let by_list = |tests: u64, least, most| (tests / size.max(1)).clamp(least, most);
+    let by_list = Trials::new(by_list(4_000_000, 400, 4_000), by_list(1_200_000_000, 100_000, FULL_RAYS));
+    stress.run(format!("p10 {name}"), 1001, by_list, |draw| {
         let (ray, interval) = ray(draw);
         agree(&list, &others, &ray, interval)
     });
-    let rest = FULL_RAYS - by_all(FULL_RAYS).full;
+    let rest = FULL_RAYS - by_list.full;
     if rest > 0 && stress.tier().is_thorough() {
         let (grid, others) = others.split_first().expect("a grid");
         stress.run(format!("p10 {name}, against the grid"), 1003, Trials::new(0, rest), |draw| {

@@ -34,7 +34,10 @@ pub fn special(stress: &Stress) {
     let geometry = build(SPECIAL_WORLD, lattice_sphere(1, 3));
     let list = List::new(&geometry);
     let others = structures(&geometry, &[[1, 1, 1], [2, 2, 2], [8, 4, 3]].map(|n| (n, Fit::Exact)));
-    let rays: Vec<Ray> = every(SPECIAL).flat_map(|d| every(LATTICE).map(move |o| Ray::new(o, d))).collect();
+    // No divisor of the numbers of combinations: the quick tier, too, has every number in every place.
+    let step = if stress.tier().is_thorough() { 1 } else { 3 };
+    let rays = every(SPECIAL).flat_map(|d| every(LATTICE).map(move |o| Ray::new(o, d)));
+    let rays: Vec<Ray> = rays.step_by(step).collect();
     let check = |ray: &Ray| -> Result<f64, String> {
         let forward = agree(&list, &others, ray, Interval::FORWARD)?;
         let both = agree(&list, &others, ray, Interval::ALL)?;
@@ -50,7 +53,7 @@ pub fn special(stress: &Stress) {
         hits = found?.iter().sum();
         Ok(rays.len() as u64)
     });
-    stress.expect("p09 hits of special rays", hits, |hits| hits > 50_000.0);
+    stress.expect("p09 hits of special rays", hits, |hits| hits > 50_000.0 / step as f64);
     any_special(stress, &list, &others);
 }
 
