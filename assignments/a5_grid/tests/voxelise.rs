@@ -44,6 +44,21 @@ fn a5t1_exact_fit_leaves_the_inside_of_a_sphere_empty() {
     assert_eq!(count(&cells, &world, Fit::Bounds)[cells.index([4, 4, 4])], 1);
 }
 
+/// A plane between cells that only touches the sphere belongs to the cells on both of its sides.
+#[test]
+fn a5t1_a_sphere_is_in_the_cells_that_it_touches() {
+    let world = geometry("Sphere { center 0 0 0 radius 1 }");
+    let cells = cells([4; 3], Vec3::splat(-2.0), Vec3::splat(2.0));
+    let exact = count(&cells, &world, Fit::Exact);
+    for (a, end) in (0..3).flat_map(|a| [0, 3].map(|end| (a, end))) {
+        for (u, v) in [(1, 1), (1, 2), (2, 1), (2, 2)] {
+            let mut cell = [end; 3];
+            (cell[(a + 1) % 3], cell[(a + 2) % 3]) = (u, v);
+            assert_eq!(exact[cells.index(cell)], 1, "{cell:?}");
+        }
+    }
+}
+
 #[test]
 fn a5t1_a_diagonal_triangle_fills_its_box_only_by_the_bounds_rule() {
     let cells = cells([4, 4, 1], Vec3::ZERO, Vec3::new(4.0, 4.0, 1.0));

@@ -37,6 +37,27 @@ fn a6t2_coincident_concentric_flat_and_single() {
     assert!(agree(&geometry(mixed, 3), 3000) > 0);
 }
 
+/// Rays so slow that they need t = 2⁹⁹, along the sides of boxes as small as they are: the inverse
+/// of a zero is not enough there.
+#[test]
+fn a6t2_long_ways_along_the_sides_of_boxes() {
+    let mut hits = 0;
+    for (tip, zero) in [-0.01, 0.01].into_iter().flat_map(|tip| [(tip, 0.0), (tip, -0.0)]) {
+        let strip: String = (0..64)
+            .map(|i| [i, i + 1, i].map(|k| f64::from(k) / 64.0))
+            .map(|[a, b, c]| format!("Triangle {{ vertex0 1 0 {a} vertex1 1 0 {b} vertex2 1 {tip} {c} }} "))
+            .collect();
+        let geometry = geometry(&strip, 64);
+        let (bvh, list) = (Bvh::new(&geometry), List::new(&geometry));
+        for i in 0..64 {
+            let origin = Vec3::new(0.0, 0.0, (i as f32 + 0.3) / 64.0);
+            let ray = Ray::new(origin, Vec3::new(2f32.powi(-99), zero, zero));
+            hits += world::agree_on(&bvh, &list, &ray);
+        }
+    }
+    assert!(hits >= 4 * 64, "an edge belongs to one side of it: {hits}");
+}
+
 /// Sizes that halve for ever make the deepest trees.
 #[test]
 fn a6t2_geometric_series_stays_shallow_enough() {

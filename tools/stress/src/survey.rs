@@ -93,18 +93,4 @@ mod tests {
         let chosen = |name: &str| is_chosen(&made_up, &[name.to_owned()]);
         assert!(chosen("p01") && chosen("p01_made_up") && !chosen("p02") && is_chosen(&made_up, &[]));
     }
-
-    #[test]
-    fn every_property_is_there_and_has_a_name_of_its_own() {
-        let mut names: Vec<&str> = properties().iter().map(|p| p.name).collect();
-        for number in 1..=18 {
-            let prefix = format!("p{number:02}_");
-            let named = |p: &&Property| p.number == number && p.name.starts_with(&prefix);
-            assert!(properties().iter().any(|p| named(&p)), "property {number} has no check");
-            assert!(properties().iter().all(|p| p.number != number || named(&p)), "{prefix}");
-        }
-        names.sort_unstable();
-        names.dedup();
-        assert_eq!(names.len(), properties().len());
-    }
 }

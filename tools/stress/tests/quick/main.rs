@@ -39,3 +39,17 @@ macro_rules! tests {
 }
 
 stress::all_properties!(tests);
+
+#[test]
+fn every_property_is_there_and_has_a_name_of_its_own() {
+    let mut names: Vec<&str> = properties().iter().map(|p| p.name).collect();
+    for number in 1..=18 {
+        let prefix = format!("p{number:02}_");
+        let named = |p: &&Property| p.number == number && p.name.starts_with(&prefix);
+        assert!(properties().iter().any(|p| named(&p)), "property {number} has no check");
+        assert!(properties().iter().all(|p| p.number != number || named(&p)), "{prefix}");
+    }
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), properties().len());
+}
