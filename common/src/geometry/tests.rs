@@ -1,6 +1,7 @@
-//! Smooth normals and texture coordinates on placed shapes.
+//! Who comes first; smooth normals and texture coordinates on placed shapes.
 
 use super::{Geometry, Surface, facing, hit_triangle};
+use crate::accel::{Accel, List};
 use crate::math::{DMat4, DVec3, Interval, Vec2, Vec3};
 use crate::mesh::{Mesh, MeshError};
 use crate::ray::Ray;
@@ -64,6 +65,25 @@ fn directions() -> impl Iterator<Item = Vec3> {
         let (a, b) = (0.37 * i as f32, 0.73 * i as f32);
         Vec3::new(a.sin() * b.cos(), a.sin() * b.sin(), a.cos()) + Vec3::splat(0.01)
     })
+}
+
+/// All of these are met at t = 4, and each shape is there twice.
+#[test]
+fn of_equally_near_things_the_first_of_the_file_is_hit() {
+    let shapes = [
+        "Triangle { vertex0 -1 -1 1 vertex1 1 -1 1 vertex2 0 2 1 }",
+        "Sphere { center 0 0 0 radius 1 }",
+        "Plane { normal 0 0 1 offset 1 }",
+        "Transform { Scale 1 2 1 Sphere { center 0 0 0 radius 1 } }",
+    ];
+    for first in 0..shapes.len() {
+        let mut turned = shapes.repeat(2);
+        turned.rotate_left(first);
+        let geometry = geometry(octahedron(), 1, &turned);
+        let ray = Ray::new(Vec3::Z * 5.0, -Vec3::Z);
+        let hit = List::new(&geometry).nearest(&ray, Interval::FORWARD, &mut Default::default());
+        assert_eq!(hit.map(|hit| (hit.primitive, hit.t)), Some((0, 4.0)), "{}", turned[0]);
+    }
 }
 
 #[test]
