@@ -103,6 +103,13 @@ impl Bvh<'_> {
             }
             return;
         }
+        // Where all rays go in bundles no slot is needed, and setting them up takes as long as some rays.
+        while queue.asked == 0 {
+            if queue.seen == rays.len() {
+                return;
+            }
+            self.prepare(simd, &mut queue, false, interval, purpose, c);
+        }
         let mut slots = [const { Slot::EMPTY }; SLOTS];
         let all = Line { slots: std::array::from_fn(|i| i as u8), len: SLOTS };
         let mut now = Lines { node: Line::EMPTY, leaf: Line::EMPTY, idle: all };
