@@ -187,7 +187,8 @@ impl<I: Copy> Generation<I> {
             }
             // The side is chosen for the direction that the ray really has, after rounding.
             let direction = direction.as_vec3();
-            let ray = Ray::new(departure.towards(direction.as_dvec3()), direction);
+            let start = departure.towards(direction.as_dvec3());
+            let ray = Ray::leaving(surface.primitive, start, direction);
             Some(Branch { ray, kind, depth: at.depth + 1, weight, throughput: at.throughput * color, ..*at })
         };
         let mut mirrored = if fresnel { opaque_mirror(mixture) } else { mixture.blend(|m| m.reflective) };

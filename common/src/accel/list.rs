@@ -127,7 +127,11 @@ impl Job<'_> {
         counters.intersections += len as u64;
         // Up to and including the last t: an equal t with a lower number still wins.
         let verdict = block.judge(simd, self.filter, Interval { max: last, ..self.interval });
-        let possible = verdict.possible & used(len);
+        let mut possible = verdict.possible & used(len);
+        if possible == 0 {
+            return last;
+        }
+        possible &= !block.lanes_of(self.ray.home);
         if possible == 0 {
             return last;
         }
@@ -137,10 +141,10 @@ impl Job<'_> {
             #[inline(always)]
             || decide(ray, interval, block, possible, before),
         );
-        if verdict.certain == 0 {
+        let mut lanes = verdict.certain & possible;
+        if lanes == 0 {
             return best.map_or(last, |b| b.t);
         }
-        let mut lanes = verdict.certain;
         while lanes != 0 {
             let lane = lanes.trailing_zeros() as usize % LANES;
             lanes &= lanes - 1;
@@ -172,8 +176,12 @@ impl Job<'_> {
     ) -> bool {
         counters.intersections += len as u64;
         let verdict = block.judge(simd, self.filter, self.interval);
-        let possible = verdict.possible & used(len);
-        if possible == 0 || verdict.certain != 0 {
+        let mut possible = verdict.possible & used(len);
+        if possible == 0 {
+            return false;
+        }
+        possible &= !block.lanes_of(self.ray.home);
+        if possible == 0 || verdict.certain & possible != 0 {
             return possible != 0;
         }
         counters.exact_tests += u64::from(possible.count_ones());

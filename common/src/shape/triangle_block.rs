@@ -96,6 +96,16 @@ impl TriangleBlock {
         len
     }
 
+    /// A bit for each lane that holds the triangle of this index.
+    #[inline(always)]
+    pub fn lanes_of(&self, index: u32) -> u32 {
+        let mut lanes = 0;
+        for lane in 0..LANES {
+            lanes |= u32::from(self.index[lane] == index) << lane;
+        }
+        lanes
+    }
+
     /// The corners of one lane.
     #[inline]
     pub fn vertices(&self, lane: usize) -> [Vec3; 3] {
