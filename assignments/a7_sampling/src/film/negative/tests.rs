@@ -1,6 +1,7 @@
 //! Sums of samples come to what the course says of pixels.
 
 use super::*;
+use crate::Sample;
 use crate::sampler::{Jittered, Sampler};
 
 const SIZE: (i64, i64) = (7, 5);
@@ -17,9 +18,11 @@ fn picture(kernel: Option<Kernel>, rows: u32, color: impl Fn(f64, f64) -> Vec3) 
         negative.extend_to(to);
         for (x, y) in (from..to).flat_map(|y| (0..size.width()).map(move |x| (x, y))) {
             shares.clear();
-            for at in (0..9).map(|s| sampler.pair((x, y), s, 0)) {
-                shares.add(at, color(f64::from(x) + at[0], f64::from(y) + at[1]));
-            }
+            let sample = |s| {
+                let at = sampler.pair((x, y), s, 0);
+                Sample { pixel: (x, y), at, color: color(f64::from(x) + at[0], f64::from(y) + at[1]) }
+            };
+            shares.add(&(0..9).map(sample).collect::<Vec<_>>());
             negative.add(x, y, shares.sums());
         }
         done = negative.develop(done, &mut film);
@@ -92,7 +95,8 @@ fn a7t6_more_samples_are_no_more_weight() {
         negative.extend_to(1);
         for x in 0..3 {
             let mut shares = Shares::new(kernel);
-            (0..counts[x as usize]).for_each(|_| shares.add([0.3, 0.6], value(x)));
+            let sample = Sample { pixel: (x, 0), at: [0.3, 0.6], color: value(x) };
+            shares.add(&vec![sample; counts[x as usize] as usize]);
             negative.add(x, 0, shares.sums());
         }
         negative.develop(0, &mut film);
