@@ -131,7 +131,7 @@ impl Job<'_> {
         if possible == 0 {
             return last;
         }
-        possible &= !block.lanes_of(self.ray.home);
+        possible &= !block.lanes_of(simd, self.ray.home);
         if possible == 0 {
             return last;
         }
@@ -180,7 +180,7 @@ impl Job<'_> {
         if possible == 0 {
             return false;
         }
-        possible &= !block.lanes_of(self.ray.home);
+        possible &= !block.lanes_of(simd, self.ray.home);
         if possible == 0 || verdict.certain & possible != 0 {
             return possible != 0;
         }
