@@ -86,9 +86,16 @@ impl Shares {
         // A multiple of four is fastest.
         self.factors.resize(self.factors.len().next_multiple_of(4), 0.0);
         kernel.factors(&mut self.factors);
+        let sums = &mut self.sums[1..];
+        // The usual kernels reach one pixel or two far.
+        match side {
+            3 => return add_square::<3>(sums, samples, &self.factors),
+            5 => return add_square::<5>(sums, samples, &self.factors),
+            _ => {}
+        }
         for (sample, factors) in samples.iter().zip(self.factors.chunks_exact(2 * side)) {
             let (color, (across, upward)) = (sample.color.as_dvec3().extend(1.0), factors.split_at(side));
-            for (row, up) in self.sums[1..].chunks_exact_mut(side).zip(upward) {
+            for (row, up) in sums.chunks_exact_mut(side).zip(upward) {
                 for (sum, along) in row.iter_mut().zip(across) {
                     *sum += color * (along * up);
                 }
@@ -100,5 +107,29 @@ impl Shares {
     /// kernel, weighted colours and, last, weights for the pixels around, row by row from below.
     pub fn sums(&self) -> &[DVec4] {
         &self.sums
+    }
+}
+
+/// Adds samples to a square of sums of a side that is known beforehand, so that a small one is kept
+/// in registers. `factors` are those of one sample after the other, along both axes.
+#[inline(always)]
+fn add_square<const SIDE: usize>(sums: &mut [DVec4], samples: &[Sample], factors: &[f64]) {
+    let mut square = [[[0.0; 4]; SIDE]; SIDE];
+    for (place, sum) in square.as_flattened_mut().iter_mut().zip(&*sums) {
+        *place = sum.to_array();
+    }
+    for (sample, factors) in samples.iter().zip(factors.chunks_exact(2 * SIDE)) {
+        let color = sample.color.as_dvec3().extend(1.0).to_array();
+        for row in 0..SIDE {
+            for column in 0..SIDE {
+                let weight = factors[column] * factors[SIDE + row];
+                for channel in 0..4 {
+                    square[row][column][channel] += color[channel] * weight;
+                }
+            }
+        }
+    }
+    for (place, sum) in square.as_flattened().iter().zip(sums) {
+        *sum = DVec4::from_array(*place);
     }
 }
