@@ -110,7 +110,9 @@ impl Camera {
             }
         }
         let origin = self.center.as_vec3();
-        rays.extend((0..points.len()).map(|k| Ray::new(origin, Vec3::new(unit[0][k], unit[1][k], unit[2][k]))));
+        rays.extend(
+            (0..points.len()).map(|k| Ray::new(origin, Vec3::new(unit[0][k], unit[1][k], unit[2][k]))),
+        );
     }
 
     /// The same as [`Camera::ray`] through a point (u, v) of the lens, in units of its radius to the right and up:

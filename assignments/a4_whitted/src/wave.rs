@@ -107,7 +107,8 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
         let geometry = whitted.accel.geometry();
         let most = branches.len();
         // Refracted rays join the mirrored ones.
-        let mut next = Generation { mirrored: Vec::with_capacity(2 * most), refracted: Vec::with_capacity(most) };
+        let mut next =
+            Generation { mirrored: Vec::with_capacity(2 * most), refracted: Vec::with_capacity(most) };
         let mut shadows = ShadowRays::new(whitted, most);
         for (branch, hit) in branches.iter().zip(hits) {
             let id = self.recorder.ray(branch.parent, branch.kind, &branch.ray, *hit, branch.weight);

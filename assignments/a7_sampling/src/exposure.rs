@@ -184,8 +184,11 @@ impl Exposure<'_> {
         desk.names.extend(every_sample(wanted));
         let named = desk.names.iter().zip(&desk.places);
         desk.samples.clear();
-        desk.samples
-            .extend(named.clone().map(|((pixel, _), at)| Sample { pixel: *pixel, at: *at, color: Vec3::ZERO }));
+        desk.samples.extend(named.clone().map(|((pixel, _), at)| Sample {
+            pixel: *pixel,
+            at: *at,
+            color: Vec3::ZERO,
+        }));
         let (camera, size) = (&self.studio.camera, self.studio.size);
         let on_screen = |(((x, y), _), at): (&(Pixel, u32), &[f64; 2])| {
             screen_position(size, f64::from(*x) + at[0], f64::from(*y) + at[1])
