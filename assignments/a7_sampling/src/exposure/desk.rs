@@ -64,7 +64,7 @@ pub fn collect(wanted: &mut Vec<(Pixel, Range<u32>)>, watch: Option<Watch>, desk
         let shares = &mut desk.shares;
         dispatch!(simd::level(), s => s.vectorize(
             #[inline(always)]
-            || shares.add(own),
+            || shares.add_all(own),
         ));
         if let Some(watch) = watch {
             watch(own);

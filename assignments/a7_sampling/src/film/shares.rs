@@ -2,7 +2,7 @@
 
 use crate::Sample;
 use crate::filter::{Kernel, MOST_RADIUS};
-use common::math::DVec4;
+use common::math::{DVec4, Vec3};
 
 /// Samples whose weights are worked out side by side: one after the other they would wait for each
 /// other's.
@@ -45,9 +45,14 @@ impl Shares {
         self.sums.fill(DVec4::ZERO);
     }
 
-    /// Adds samples of the pixel.
+    /// Adds a sample at a place of the pixel, counted from its lower left corner.
+    pub fn add(&mut self, at: [f64; 2], color: Vec3) {
+        self.add_all(&[Sample { pixel: (0, 0), at, color }]);
+    }
+
+    /// Adds samples of the pixel, in order.
     #[inline(always)]
-    pub fn add(&mut self, samples: &[Sample]) {
+    pub fn add_all(&mut self, samples: &[Sample]) {
         for sample in samples {
             self.sums[0] += sample.color.as_dvec3().extend(1.0);
         }

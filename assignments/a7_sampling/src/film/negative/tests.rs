@@ -22,7 +22,7 @@ fn picture(kernel: Option<Kernel>, rows: u32, color: impl Fn(f64, f64) -> Vec3) 
                 let at = sampler.pair((x, y), s, 0);
                 Sample { pixel: (x, y), at, color: color(f64::from(x) + at[0], f64::from(y) + at[1]) }
             };
-            shares.add(&(0..9).map(sample).collect::<Vec<_>>());
+            shares.add_all(&(0..9).map(sample).collect::<Vec<_>>());
             negative.add(x, y, shares.sums());
         }
         done = negative.develop(done, &mut film);
@@ -95,8 +95,7 @@ fn a7t6_more_samples_are_no_more_weight() {
         negative.extend_to(1);
         for x in 0..3 {
             let mut shares = Shares::new(kernel);
-            let sample = Sample { pixel: (x, 0), at: [0.3, 0.6], color: value(x) };
-            shares.add(&vec![sample; counts[x as usize] as usize]);
+            (0..counts[x as usize]).for_each(|_| shares.add([0.3, 0.6], value(x)));
             negative.add(x, 0, shares.sums());
         }
         negative.develop(0, &mut film);
