@@ -79,7 +79,7 @@ pub fn mirrored_direction(incoming: DVec3, surface: &Surface) -> DVec3 {
 
 /// Refraction at the smooth normal if there is one; at the geometric normal where the refracted
 /// ray would not get through the surface, so that inside and outside stay what they are.
-#[inline]
+#[inline(always)]
 pub fn crossing(incoming: DVec3, surface: &Surface, index_of_refraction: f32) -> Crossing {
     let index = f64::from(index_of_refraction);
     let flat = || refract(incoming, surface.geometric_normal, index);

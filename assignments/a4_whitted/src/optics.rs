@@ -19,7 +19,7 @@ pub struct Crossing {
 
 /// Snell's law and Fresnel's equations for a body of index `ior` in vacuum. `incoming` and
 /// `normal` are unit, the normal points out of the body: I·N > 0 means that the light leaves.
-#[inline]
+#[inline(always)]
 pub fn refract(incoming: DVec3, normal: DVec3, ior: f64) -> Crossing {
     let leaves = incoming.dot(normal) > 0.0;
     let (eta, against) = if leaves { (ior, -normal) } else { (1.0 / ior, normal) };

@@ -118,11 +118,16 @@ impl<'a, 'w, I: Copy> ShadowRays<'a, 'w, I> {
         let (ray, interval) = match light.source {
             Source::Direction(towards) => {
                 let direction = towards.as_vec3();
-                (Ray::new(departure.towards(direction.as_dvec3()), direction), Interval::FORWARD)
+                let start = departure.towards(direction.as_dvec3());
+                (Ray::leaving(surface.primitive, start, direction), Interval::FORWARD)
             }
             Source::Point(position) => {
-                let origin = departure.towards(position - surface.point);
-                (Ray::new(origin, (position - origin.as_dvec3()).as_vec3()), Interval::up_to(1.0))
+                let start = departure.towards(position - surface.point);
+                let direction = (position - start.as_dvec3()).as_vec3();
+                // A light on the surface itself may be on the other side of where the ray starts.
+                let leaves = departure.towards(direction.as_dvec3()) == start;
+                let home = if leaves { surface.primitive } else { Ray::ANYWHERE };
+                (Ray::leaving(home, start, direction), Interval::up_to(1.0))
             }
         };
         while self.bunches.len() <= look {

@@ -106,7 +106,9 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
         let whitted = self.whitted;
         let geometry = whitted.accel.geometry();
         let most = branches.len();
-        let mut next = Generation { mirrored: Vec::with_capacity(most), refracted: Vec::with_capacity(most) };
+        // Refracted rays join the mirrored ones.
+        let mut next =
+            Generation { mirrored: Vec::with_capacity(2 * most), refracted: Vec::with_capacity(most) };
         let mut shadows = ShadowRays::new(whitted, most);
         for (branch, hit) in branches.iter().zip(hits) {
             let id = self.recorder.ray(branch.parent, branch.kind, &branch.ray, *hit, branch.weight);
@@ -187,7 +189,8 @@ impl<I: Copy> Generation<I> {
             }
             // The side is chosen for the direction that the ray really has, after rounding.
             let direction = direction.as_vec3();
-            let ray = Ray::new(departure.towards(direction.as_dvec3()), direction);
+            let start = departure.towards(direction.as_dvec3());
+            let ray = Ray::leaving(surface.primitive, start, direction);
             Some(Branch { ray, kind, depth: at.depth + 1, weight, throughput: at.throughput * color, ..*at })
         };
         let mut mirrored = if fresnel { opaque_mirror(mixture) } else { mixture.blend(|m| m.reflective) };

@@ -12,7 +12,6 @@ use common::camera::screen_position;
 use common::counters::Counters;
 use common::math::Vec3;
 use common::picture::{Film, Size};
-use common::ray::Ray;
 use common::tiles::{Tile, for_each_tile};
 use desk::{Desk, collect};
 use std::ops::Range;
@@ -158,13 +157,7 @@ impl Exposure<'_> {
 
     /// Traces and shades samples, which are left on the desk in order.
     fn trace(&self, wanted: &[(Pixel, Range<u32>)], search: bool, desk: &mut Desk) {
-        desk.samples.clear();
-        desk.rays.clear();
-        for (pixel, sample) in every_sample(wanted) {
-            let at = self.sampler.pair(pixel, sample, pair::PIXEL);
-            desk.samples.push(Sample { pixel, at, color: Vec3::ZERO });
-            desk.rays.push(self.ray(pixel, sample, at));
-        }
+        self.aim(wanted, desk);
         desk.hits.clear();
         desk.hits.resize(desk.rays.len(), None);
         if search {
@@ -174,8 +167,6 @@ impl Exposure<'_> {
         let met = desk.rays.iter().zip(&desk.hits);
         let sights: Vec<Sight> =
             met.map(|(ray, hit)| Sight::new(&self.studio.geometry, *ray, *hit)).collect();
-        desk.names.clear();
-        desk.names.extend(every_sample(wanted));
         desk.radiances.resize(sights.len(), Vec3::ZERO);
         self.shade.radiances(&sights, &desk.names, &mut desk.counters, &mut desk.radiances);
         for (sample, radiance) in desk.samples.iter_mut().zip(&desk.radiances) {
@@ -183,15 +174,32 @@ impl Exposure<'_> {
         }
     }
 
-    fn ray(&self, (x, y): Pixel, sample: u32, at: [f64; 2]) -> Ray {
+    /// Leaves samples and their rays on the desk.
+    fn aim(&self, wanted: &[(Pixel, Range<u32>)], desk: &mut Desk) {
+        desk.places.clear();
+        for (pixel, range) in wanted {
+            self.sampler.pairs(*pixel, range.clone(), pair::PIXEL, &mut desk.places);
+        }
+        desk.names.clear();
+        desk.names.extend(every_sample(wanted));
+        let named = desk.names.iter().zip(&desk.places);
+        desk.samples.clear();
+        desk.samples.extend(named.clone().map(|((pixel, _), at)| Sample {
+            pixel: *pixel,
+            at: *at,
+            color: Vec3::ZERO,
+        }));
         let (camera, size) = (&self.studio.camera, self.studio.size);
-        let position = screen_position(size, f64::from(x) + at[0], f64::from(y) + at[1]);
-        match self.aperture {
-            None => camera.ray(position),
-            Some(aperture) => {
-                let uv = self.sampler.pair((x, y), sample, pair::LENS);
-                camera.ray_through_lens(position, aperture.point(uv))
-            }
+        let on_screen = |(((x, y), _), at): (&(Pixel, u32), &[f64; 2])| {
+            screen_position(size, f64::from(*x) + at[0], f64::from(*y) + at[1])
+        };
+        desk.points.clear();
+        desk.points.extend(named.map(on_screen));
+        desk.rays.clear();
+        let Some(aperture) = self.aperture else { return camera.rays(&desk.points, &mut desk.rays) };
+        for ((pixel, sample), point) in desk.names.iter().zip(&desk.points) {
+            let uv = self.sampler.pair(*pixel, *sample, pair::LENS);
+            desk.rays.push(camera.ray_through_lens(*point, aperture.point(uv)));
         }
     }
 }

@@ -121,3 +121,21 @@ fn a_curved_screen_has_equal_angles_per_pixel() {
     }
     assert!((direction(0.5, 0.5) - Vec3::NEG_Z).length() < 1e-6);
 }
+
+/// Side by side rays get the bits that each gets alone.
+#[test]
+fn rays_of_many_points_are_those_of_each() {
+    let kinds = [CameraKind::Orthographic { size: 4.0 }, CameraKind::Perspective { angle: 73.0 }];
+    for (kind, screen) in kinds.into_iter().flat_map(|k| [(k, Screen::Flat), (k, Screen::Curved)]) {
+        let mut camera = camera(kind);
+        camera.screen = screen;
+        for count in [0, 1, 7, 8, 9, 50] {
+            let at = |i: i32| (f64::from(i) * 0.618 % 1.0, f64::from(i) * 0.414 % 1.0);
+            let points: Vec<_> = (0..count).map(at).collect();
+            let (mut all, mut each) = (Vec::new(), Vec::new());
+            camera.rays(&points, &mut all);
+            each.extend(points.iter().map(|point| camera.ray(*point)));
+            assert_eq!(all, each, "{kind:?} {screen:?}");
+        }
+    }
+}

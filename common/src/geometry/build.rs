@@ -2,7 +2,7 @@
 
 use super::smooth::Smooth;
 use super::uv::{UvMap, pictured};
-use super::{Geometry, PlacedMesh, Run, RunKind, Sheet, Solid, SolidShape};
+use super::{Facet, Geometry, PlacedMesh, Run, RunKind, Sheet, Solid, SolidShape};
 use crate::math::affine::AffineKind;
 use crate::math::{Affine, Bounds, DMat4, DVec3, Vec3};
 use crate::mesh::Mesh;
@@ -39,6 +39,11 @@ struct Shared<'a> {
     normals: HashMap<u32, Arc<[Vec3]>>,
 }
 
+/// As many triangles are hit many times each: what their surface points have in common is worked
+/// out once. Of larger meshes a picture may show few triangles, and memory is slower than
+/// arithmetic.
+const FEW_TRIANGLES: usize = 4096;
+
 impl Geometry {
     /// Composes all transforms in `f64` and bakes every shape.
     ///
@@ -56,6 +61,9 @@ impl Geometry {
             }
         }
         geometry.bounds = geometry.finite_bounds();
+        if geometry.triangles.len() <= FEW_TRIANGLES {
+            geometry.facets = geometry.triangles.iter().map(Facet::new).collect();
+        }
         Ok(geometry)
     }
 

@@ -8,6 +8,7 @@
 
 mod body;
 mod build;
+mod facet;
 mod placed;
 mod smooth;
 mod surface;
@@ -27,6 +28,7 @@ use crate::shape::ellipsoid::Ellipsoid;
 use crate::shape::plane::{self, Plane};
 use crate::shape::sphere::{self, Sphere};
 use crate::shape::{ExactRay, triangle};
+use facet::Facet;
 use smooth::Smooth;
 use std::sync::OnceLock;
 use uv::UvMap;
@@ -118,6 +120,8 @@ pub(crate) enum RunKind {
 pub struct Geometry {
     pub(crate) triangles: Vec<[Vec3; 3]>,
     pub(crate) triangle_numbers: Vec<u32>,
+    /// What surface points want to know of each triangle, worked out beforehand if there are few.
+    pub(crate) facets: Vec<Facet>,
     pub(crate) solids: Vec<Solid>,
     pub(crate) sheets: Vec<Sheet>,
     pub(crate) runs: Vec<Run>,

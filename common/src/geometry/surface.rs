@@ -1,6 +1,6 @@
 //! The point that a ray found: worked out once, for the hit that counts.
 
-use super::{Geometry, Hit, RunKind, SolidShape, facing};
+use super::{Facet, Geometry, Hit, RunKind, SolidShape, facing};
 use crate::math::{DVec3, UNIT_ROUNDOFF, Vec3, sum3};
 use crate::ray::Ray;
 use crate::shape::{plane, sphere};
@@ -83,33 +83,6 @@ fn error_bound(p: DVec3, scale: f64) -> DVec3 {
     p.abs() * (UNIT_ROUNDOFF * 1.0000001) + DVec3::splat(double_precision)
 }
 
-/// Barycentric weights of a point that keeps a distance of 2⁻¹⁹·`scale` from the triangle's
-/// edges (less if the triangle is thinner than a few of those). A ray that leaves the very edge
-/// between two walls of a room would start, by rounding, behind one of them. `doubled` is twice
-/// the triangle's area.
-#[inline]
-fn off_the_border(weights: [f64; 3], edges: &[DVec3; 3], doubled: f64, scale: f64) -> [f64; 3] {
-    let margin = 32.0 * UNIT_ROUNDOFF * scale;
-    // Most points are so far inside that no edge need be measured; 1.001 is for the rounding.
-    let taxi = edges.iter().map(|e| e.abs().element_sum()).fold(0.0, f64::max);
-    let least = weights[0].min(weights[1]).min(weights[2]);
-    if least * doubled > margin * taxi * 1.001 {
-        return weights;
-    }
-    near_the_border(weights, edges, margin / doubled)
-}
-
-#[cold]
-fn near_the_border(weights: [f64; 3], edges: &[DVec3; 3], margin: f64) -> [f64; 3] {
-    // The weight at that distance; NaN (no area) is no floor.
-    let floor = edges.map(|edge| (margin * edge.length()).min(0.2));
-    if weights.iter().zip(floor).all(|(w, f)| *w >= f) {
-        return weights;
-    }
-    let raised: [f64; 3] = std::array::from_fn(|i| weights[i].max(floor[i]));
-    raised.map(|w| w / (raised[0] + raised[1] + raised[2]))
-}
-
 impl Geometry {
     /// The surface point of a hit that `ray` made.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
@@ -143,16 +116,14 @@ impl Geometry {
         }
     }
 
+    #[inline(always)]
     fn triangle_point(&self, index: usize, hit: &Hit) -> (DVec3, DVec3, f64) {
-        let vertices = &self.triangles[index];
-        let [a, b, c] = vertices.map(|v| v.as_dvec3());
-        let (u, v) = (f64::from(hit.u), f64::from(hit.v));
-        let scale = a.abs().max(b.abs()).max(c.abs()).max_element();
-        let edges = [c - b, a - c, b - a];
-        let across = edges[2].cross(c - a);
-        let weights = [1.0 - u - v, u, v];
-        let [l0, l1, l2] = off_the_border(weights, &edges, across.length(), scale);
-        (a * l0 + b * l1 + c * l2, across.normalize_or_zero(), scale)
+        let corners = &self.triangles[index];
+        let facet = match self.facets.get(index) {
+            Some(facet) => *facet,
+            None => Facet::new(corners),
+        };
+        (facet.point(corners, [f64::from(hit.u), f64::from(hit.v)]), facet.normal, facet.scale)
     }
 
     fn solid_point(&self, index: usize, near: DVec3) -> (DVec3, DVec3, f64) {

@@ -1,6 +1,6 @@
 //! Who comes first; smooth normals and texture coordinates on placed shapes.
 
-use super::{Geometry, Surface, facing, hit_triangle};
+use super::{Geometry, Hit, Surface, facing, hit_triangle};
 use crate::accel::{Accel, List};
 use crate::math::{DMat4, DVec3, Interval, Vec2, Vec3};
 use crate::mesh::{Mesh, MeshError};
@@ -223,5 +223,23 @@ fn a_triangle_shows_half_of_the_picture() {
         let geometry = geometry(octahedron(), 0, &[object]);
         let seen = surface(&geometry, Vec3::new(0.5, 1.0, 4.0), -Vec3::Z);
         assert!(near(geometry.uv(&seen), [0.25, 0.5]), "{:?}", geometry.uv(&seen));
+    }
+}
+
+/// What is worked out beforehand for few triangles and what is worked out at a hit are the same.
+#[test]
+fn surface_points_have_the_same_bits_with_and_without_facets() {
+    let text = "Transform { XRotate 17 Scale 1 2.5 0.3 Translate 3 0.1 -7 TriangleMesh { obj_file it } }";
+    let with = geometry(octahedron(), 1, &[text]);
+    assert_eq!(with.facets.len(), with.triangles.len());
+    let mut without = with.clone();
+    without.facets.clear();
+    let ray = Ray::new(Vec3::ZERO, Vec3::X);
+    for primitive in 0..8 {
+        // Inside, on edges, at corners.
+        for (u, v) in [(0.25, 0.5), (0.0, 0.3), (0.5, 0.5), (1.0, 0.0), (0.0, 0.0), (1e-7, 0.2)] {
+            let hit = Hit { t: 1.0, primitive, u, v };
+            assert_eq!(with.surface(&ray, &hit), without.surface(&ray, &hit));
+        }
     }
 }

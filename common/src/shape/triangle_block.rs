@@ -10,7 +10,7 @@
 
 use super::filter::Filter;
 use crate::math::{Interval, Vec3};
-use crate::simd::{self, Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use crate::simd::{self, Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8, u32x8};
 
 /// How many triangles a block holds.
 pub const LANES: usize = 8;
@@ -94,6 +94,13 @@ impl TriangleBlock {
             len += usize::from(self.index[lane] != self.index[lane - 1]);
         }
         len
+    }
+
+    /// A bit for each lane that holds the triangle of this index.
+    #[inline(always)]
+    pub fn lanes_of<S: Simd>(&self, simd: S, index: u32) -> u32 {
+        let held = u32x8::from_slice(simd, &self.index);
+        held.simd_eq(u32x8::splat(simd, index)).to_bitmask() as u32
     }
 
     /// The corners of one lane.

@@ -20,6 +20,9 @@ use common::simd::Simd;
 /// Rays under way at a time, a power of two.
 const SLOTS: usize = 16;
 
+/// Nodes of a tree that the nearest cache holds beside all else.
+const FEW: usize = 8;
+
 /// Numbers of slots.
 #[derive(Clone, Copy)]
 struct Line {
@@ -103,6 +106,13 @@ impl Bvh<'_> {
             }
             return;
         }
+        // Where all rays go in bundles no slot is needed, and setting them up takes as long as some rays.
+        while queue.asked == 0 {
+            if queue.seen == rays.len() {
+                return;
+            }
+            self.prepare(simd, &mut queue, false, interval, purpose, c);
+        }
         let mut slots = [const { Slot::EMPTY }; SLOTS];
         let all = Line { slots: std::array::from_fn(|i| i as u8), len: SLOTS };
         let mut now = Lines { node: Line::EMPTY, leaf: Line::EMPTY, idle: all };
@@ -141,7 +151,9 @@ impl Bvh<'_> {
     /// other find what they need in the nearest cache, if all of the tree is in some cache.
     #[inline(always)]
     fn is_alone_better(&self, packet: &Packet) -> bool {
-        self.depth > DEEPEST || !self.is_large() && starts_together(packet, &self.bounds)
+        self.depth > DEEPEST
+            || self.nodes.len() <= FEW
+            || !self.is_large() && starts_together(packet, &self.bounds)
     }
 
     /// Gives rays to idle slots.

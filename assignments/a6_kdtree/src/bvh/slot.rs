@@ -17,7 +17,7 @@ pub const DEEPEST: usize = LEVELS - 1;
 /// A ray that takes a step now and then, with all that it needs for that.
 #[repr(align(64))]
 pub struct Slot {
-    /// Nodes on the way down that have children waiting; the first never has.
+    /// Nodes on the way down that have children waiting.
     stack: [Waiting; LEVELS],
     /// The last of them.
     level: usize,
@@ -62,7 +62,9 @@ impl Slot {
         self.filter = packet.filter(lane);
         self.ray = ray;
         self.next = Child::node(0);
+        // What waited for the ray before waits no longer.
         self.level = 0;
+        self.stack[0].lanes = 0;
         self.end_at(last);
     }
 

@@ -169,8 +169,12 @@ impl<const ANY: bool> Blocks<'_, '_, '_, ANY> {
     /// The exact test of the world's triangle.
     #[inline(always)]
     fn decide(&mut self, triangle: u32) {
+        let primitive = self.placement.first + triangle;
+        if primitive == self.goal.ray.home {
+            return;
+        }
         let vertices = &self.geometry.triangles()[self.placement.start + triangle as usize];
-        let hit = hit_triangle(vertices, self.placement.first + triangle, &self.exact, self.goal.interval);
+        let hit = hit_triangle(vertices, primitive, &self.exact, self.goal.interval);
         if let Some(hit) = hit.filter(|h| h.precedes(self.goal.best.as_ref())) {
             self.goal.best = Some(hit);
         }

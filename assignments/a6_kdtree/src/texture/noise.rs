@@ -58,6 +58,7 @@ const INTEGERS: f64 = (1u64 << 52) as f64;
 /// Perlin's improved noise: 0 at lattice points, within (−1.04, 1.04), with continuous first and
 /// second derivatives. Numbers from 2⁵² on are integers, so that it is 0 from there on; it is
 /// also 0 for what is no finite point.
+#[inline(always)]
 pub fn noise(point: DVec3) -> f64 {
     if !point.is_finite() {
         return 0.0;
@@ -78,6 +79,7 @@ pub fn noise(point: DVec3) -> f64 {
 }
 
 /// Noise of ever finer grain: Σ noise(2ᵏ·p) / 2ᵏ for k from 0 to `octaves` − 1.
+#[inline(always)]
 pub fn fractal_noise(point: DVec3, octaves: u32) -> f64 {
     let scales = std::iter::successors(Some(1.0), |scale| Some(scale * 2.0));
     scales.take(octaves as usize).map(|scale| noise(point * scale) / scale).sum()
@@ -85,6 +87,7 @@ pub fn fractal_noise(point: DVec3, octaves: u32) -> f64 {
 
 /// The cell of the lattice below a coordinate, counted around 0…255, and its lower end. From 2⁶³
 /// on, where integers end, the cell is just any: every number there is a lattice point.
+#[inline(always)]
 fn below(x: f64) -> (usize, f64) {
     let towards_zero = x as i64;
     let whole = towards_zero.saturating_sub(i64::from(towards_zero as f64 > x));
@@ -93,16 +96,19 @@ fn below(x: f64) -> (usize, f64) {
     ((whole & 255) as usize, end)
 }
 
+#[inline(always)]
 fn permuted(index: usize) -> usize {
     usize::from(PERMUTATION[index % 256])
 }
 
 /// 6t⁵ − 15t⁴ + 10t³: from 0 to 1 with first and second derivative 0 at both ends, so that cells
 /// meet without a crease.
+#[inline(always)]
 fn ease(t: f64) -> f64 {
     t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
 }
 
+#[inline(always)]
 fn mix(a: f64, b: f64, t: f64) -> f64 {
     a + t * (b - a)
 }

@@ -3,6 +3,7 @@
 use super::fractal_noise;
 use common::math::{DMat4, DVec3};
 use common::scene::{SolidTexture, SolidTextureKind};
+use common::simd::{self, Simd, dispatch};
 
 /// A coordinate this close to an integer, as a part of what it was computed from, is that
 /// integer. Points of a face that lies in a lattice plane are off it by a few roundings of
@@ -27,6 +28,15 @@ impl Pattern {
     /// The share in [0, 1] that the first material has at a point of the world. A number for
     /// every point, even one that overflows on the way: ½ (or the first square) then.
     pub fn value(&self, point: DVec3) -> f64 {
+        // Rounding to integers takes a function call without the instructions for it.
+        dispatch!(simd::level(), s => s.vectorize(
+            #[inline(always)]
+            || self.worked_out(point),
+        ))
+    }
+
+    #[inline(always)]
+    fn worked_out(&self, point: DVec3) -> f64 {
         let p = self.matrix.transform_point3(point);
         let value = match self.kind {
             SolidTextureKind::Checkerboard => self.square(point, p),
@@ -42,6 +52,7 @@ impl Pattern {
     }
 
     /// 1 in the cubes whose corner ⌊x⌋, ⌊y⌋, ⌊z⌋ has an even sum, else 0.
+    #[inline(always)]
     fn square(&self, point: DVec3, p: DVec3) -> f64 {
         let m = &self.matrix;
         let terms =
@@ -54,12 +65,14 @@ impl Pattern {
 }
 
 /// The integer below a coordinate, or next to it within the tolerance.
+#[inline(always)]
 fn cell(x: f64, tolerance: f64) -> f64 {
     let nearest = x.round();
     if (x - nearest).abs() <= tolerance { nearest } else { x.floor() }
 }
 
 /// Whether an integer is odd. Halving is exact; what is no number is not odd.
+#[inline(always)]
 fn is_odd(x: f64) -> bool {
     x / 2.0 - (x / 2.0).floor() > 0.0
 }

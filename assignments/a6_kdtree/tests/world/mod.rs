@@ -111,17 +111,22 @@ pub fn rays(geometry: &Geometry, n: usize) -> Vec<Ray> {
         .collect()
 }
 
-/// Both give the same answers to one ray, forward, along the whole line and for a part of it;
-/// returns the number of hits.
+/// Both give the same answers to one ray, forward, along the whole line and for a part of it, and to
+/// the same ray if it leaves what it would hit; returns the number of hits.
 pub fn agree_on(tree: &dyn Accel, list: &List, ray: &Ray) -> usize {
     let mut c = Counters::default();
     let part = Interval { min: -0.5, max: 0.75 };
     let mut hits = 0;
     for interval in [Interval::FORWARD, Interval::ALL, Interval::up_to(0.5), part] {
-        let expected = list.nearest(ray, interval, &mut c);
-        assert_eq!(tree.nearest(ray, interval, &mut c), expected, "{ray:?} {interval:?}");
-        assert_eq!(tree.any(ray, interval, &mut c), expected.is_some(), "{ray:?} {interval:?}");
-        hits += usize::from(expected.is_some());
+        let mut same = |ray: &Ray| {
+            let expected = list.nearest(ray, interval, &mut c);
+            assert_eq!(tree.nearest(ray, interval, &mut c), expected, "{ray:?} {interval:?}");
+            assert_eq!(tree.any(ray, interval, &mut c), expected.is_some(), "{ray:?} {interval:?}");
+            expected
+        };
+        let Some(hit) = same(ray) else { continue };
+        same(&Ray::leaving(hit.primitive, ray.origin, ray.direction));
+        hits += 1;
     }
     hits
 }
@@ -143,9 +148,12 @@ pub fn bundles(geometry: &Geometry, n: usize) -> Vec<Vec<Ray>> {
         let spread = [0.0, 0.001, 0.02, 0.5][i % 4];
         let mut near =
             |v: Vec3, by: f32| v + Vec3::from_array([(); 3].map(|()| unit(&mut random) - 0.5)) * by;
-        let mut bundle: Vec<Ray> = (0..1 + i % 30)
-            .map(|_| Ray::new(near(first.origin, size.max_element() * spread), near(first.direction, spread)))
-            .collect();
+        // One after the other they leave one triangle after the other.
+        let ray = |home| {
+            let origin = near(first.origin, size.max_element() * spread);
+            Ray::leaving(home, origin, near(first.direction, spread))
+        };
+        let mut bundle: Vec<Ray> = (0..1 + i as u32 % 30).map(ray).collect();
         let len = bundle.len();
         match i % 11 {
             0 => bundle[len / 2] = Ray::new(first.origin, Vec3::ZERO),

@@ -15,7 +15,9 @@ use std::ops::Range;
 pub struct Desk {
     /// Samples that are worked out together.
     pub samples: Vec<Sample>,
-    /// Their rays …
+    /// Where they are on the screen …
+    pub points: Vec<(f64, f64)>,
+    /// … their rays …
     pub rays: Vec<Ray>,
     /// … what these met …
     pub hits: Vec<Option<Hit>>,
@@ -23,6 +25,8 @@ pub struct Desk {
     pub names: Vec<(Pixel, u32)>,
     /// … and the light that they bring.
     pub radiances: Vec<Vec3>,
+    /// Where they are in their pixels.
+    pub places: Vec<[f64; 2]>,
     /// What those of one pixel give.
     pub shares: Shares,
     /// Of all pixels of a tile that have samples: whose they are, and the sums of one after the
@@ -37,6 +41,8 @@ impl Desk {
     pub fn new(kernel: Option<Kernel>) -> Self {
         Self {
             samples: Vec::new(),
+            places: Vec::new(),
+            points: Vec::new(),
             rays: Vec::new(),
             hits: Vec::new(),
             names: Vec::new(),
@@ -58,11 +64,7 @@ pub fn collect(wanted: &mut Vec<(Pixel, Range<u32>)>, watch: Option<Watch>, desk
         let shares = &mut desk.shares;
         dispatch!(simd::level(), s => s.vectorize(
             #[inline(always)]
-            || {
-                for sample in own {
-                    shares.add(sample.at, sample.color);
-                }
-            },
+            || shares.add_all(own),
         ));
         if let Some(watch) = watch {
             watch(own);

@@ -21,6 +21,8 @@ pub use random::Random;
 pub use sobol::Sobol;
 pub use strata::{Jittered, Uniform};
 
+use std::ops::Range;
+
 /// Pairs of coordinates by what they are for.
 pub mod pair {
     /// The place in the pixel, from its lower left corner.
@@ -39,6 +41,11 @@ pub trait Sampler: Send + Sync {
     /// The coordinates, both in [0, 1), of one sample of a pixel. Every `pair` is a pattern of
     /// its own, with no likeness to that of another.
     fn pair(&self, pixel: Pixel, sample: u32, pair: u32) -> [f64; 2];
+
+    /// Appends the coordinates of several samples of a pixel, in order.
+    fn pairs(&self, pixel: Pixel, samples: Range<u32>, pair: u32, all: &mut Vec<[f64; 2]>) {
+        all.extend(samples.map(|sample| self.pair(pixel, sample, pair)));
+    }
 }
 
 /// The ways to choose samples.

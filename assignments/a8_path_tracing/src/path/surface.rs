@@ -185,7 +185,7 @@ impl PathTracer<'_> {
         path.normal = place.geometric;
         path.pdf = way.pdf;
         let start = place.departure.towards(way.direction.as_dvec3());
-        scratch.next_rays.push(Ray::new(start, way.direction));
+        scratch.next_rays.push(Ray::leaving(place.surface.primitive, start, way.direction));
         scratch.next_paths.push(path);
     }
 

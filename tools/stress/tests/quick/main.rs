@@ -3,7 +3,7 @@
 mod corpus;
 mod textures;
 
-use stress::{Row, Stress, Tier, examine, properties, seed_of_environment};
+use stress::{Property, Row, Stress, Tier, examine, properties, seed_of_environment};
 
 /// Runs a check and prints its rows.
 ///

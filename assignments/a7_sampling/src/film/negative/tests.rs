@@ -1,6 +1,7 @@
 //! Sums of samples come to what the course says of pixels.
 
 use super::*;
+use crate::Sample;
 use crate::sampler::{Jittered, Sampler};
 
 const SIZE: (i64, i64) = (7, 5);
@@ -17,9 +18,11 @@ fn picture(kernel: Option<Kernel>, rows: u32, color: impl Fn(f64, f64) -> Vec3) 
         negative.extend_to(to);
         for (x, y) in (from..to).flat_map(|y| (0..size.width()).map(move |x| (x, y))) {
             shares.clear();
-            for at in (0..9).map(|s| sampler.pair((x, y), s, 0)) {
-                shares.add(at, color(f64::from(x) + at[0], f64::from(y) + at[1]));
-            }
+            let sample = |s| {
+                let at = sampler.pair((x, y), s, 0);
+                Sample { pixel: (x, y), at, color: color(f64::from(x) + at[0], f64::from(y) + at[1]) }
+            };
+            shares.add_all(&(0..9).map(sample).collect::<Vec<_>>());
             negative.add(x, y, shares.sums());
         }
         done = negative.develop(done, &mut film);
