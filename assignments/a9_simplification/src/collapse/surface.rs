@@ -66,11 +66,17 @@ impl Face {
         self.twin[3] = bits[0] | bits[1] << 10 | bits[2] << 20;
     }
 
+    /// What was remembered: the largest component is 511, others are up to half of 1 off.
+    #[inline(always)]
+    pub(super) fn look(&self) -> [i16; 3] {
+        [22, 12, 2].map(|shift| ((self.twin[3] << shift) as i32 >> 22) as i16)
+    }
+
     /// Whether a direction is within a right angle of what was remembered.
     #[inline(always)]
     pub(super) fn looks_along(&self, normal: DVec3) -> bool {
-        let component = |shift: u32| f64::from((self.twin[3] << (22 - shift)) as i32 >> 22);
-        normal.x * component(0) + normal.y * component(10) + normal.z * component(20) >= 0.0
+        let [x, y, z] = self.look().map(f64::from);
+        normal.x * x + normal.y * y + normal.z * z >= 0.0
     }
 
     /// Takes over the twins of another face, renumbered, and what it remembers.
