@@ -51,7 +51,12 @@ impl Lattice {
     /// Cells of a size, in at least so many slots.
     pub(super) fn new(origin: DVec3, size: f64, slots: usize) -> Self {
         let fineness = 1.0 / size.max(f64::MIN_POSITIVE);
-        Self { origin, fineness, coarser: 0, last_slot: slots.max(1).next_power_of_two() - 1 }
+        Self { origin, fineness, coarser: 0, last_slot: 0 }.with_slots(slots)
+    }
+
+    /// The same cells in at least so many slots.
+    pub(super) fn with_slots(self, slots: usize) -> Self {
+        Self { last_slot: slots.max(1).next_power_of_two() - 1, ..self }
     }
 
     /// How many slots there are.
@@ -135,11 +140,6 @@ impl<'a> Grid<'a> {
     #[cfg(test)]
     pub(super) fn bytes(&self) -> usize {
         self.cells.capacity() * size_of::<Cell>()
-    }
-
-    /// Its lattice, with at least so many slots.
-    pub(super) fn lattice(&self, slots: usize) -> Lattice {
-        Lattice { last_slot: slots.max(1).next_power_of_two() - 1, ..self.lattice }
     }
 
     /// Its lattice, with cells that are at least of a size and slots as many as faces.

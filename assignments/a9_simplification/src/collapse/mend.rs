@@ -9,7 +9,7 @@ use crate::collapse::against::middle;
 use crate::collapse::lattice::Grid;
 use crate::collapse::locate::{locate, nearest};
 use crate::collapse::ring::is_no_worse;
-use crate::collapse::surface::{Surface, next, previous};
+use crate::collapse::surface::{NONE, Surface, next, previous};
 use crate::collapse::witness::{Vicinity, Witness};
 use common::math::{DVec3, Vec3};
 
@@ -116,7 +116,15 @@ impl<'a> Mender<'a> {
             return Some(only);
         }
         let samples = self.samples(surface, face);
-        let judged = found.into_iter().map(|to| (worse(&samples, surface, &to), to));
+        // Moves of one point follow each other.
+        let mut now = (NONE, Vec::new());
+        let judged = found.into_iter().map(|to| {
+            if now.0 != to.point {
+                now = (to.point, squares(&samples, surface, to.point, surface.at(to.point)));
+            }
+            let then = squares(&samples, surface, to.point, to.to);
+            (then.iter().zip(&now.1).map(|(then, now)| then - now).sum::<f64>(), to)
+        });
         judged.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, best)| best)
     }
 
@@ -207,19 +215,18 @@ fn sides(surface: &Surface, h: u32) -> [DVec3; 2] {
     [next(h), previous(h)].map(|h| surface.at(surface.start(h)))
 }
 
-/// By how much the sum of the squares of the samples' distances grows when a point is moved.
+/// The squared distances of samples from the faces around a point if that were elsewhere.
 /// What is far from all faces there does not count, as it is nearest to the rim, which stays.
-fn worse(samples: &[DVec3], surface: &Surface, &Move { point, to, .. }: &Move) -> f64 {
-    let square = |sample: DVec3, corner: DVec3| {
+fn squares(samples: &[DVec3], surface: &Surface, point: u32, at: DVec3) -> Vec<f64> {
+    let square = |sample: &DVec3| {
         let squares = surface.fan(point).map(|h| {
             let [p, q] = sides(surface, h);
-            let [u, v, w] = nearest(sample, corner, p, q);
-            (corner * u + p * v + q * w).distance_squared(sample)
+            let [u, v, w] = nearest(*sample, at, p, q);
+            (at * u + p * v + q * w).distance_squared(*sample)
         });
         squares.fold(f64::INFINITY, f64::min)
     };
-    let from = surface.at(point);
-    samples.iter().map(|&sample| square(sample, to) - square(sample, from)).sum()
+    samples.iter().map(square).collect()
 }
 
 /// Whether a face is not made a sliver when one of its corners moves; the others are p and q.

@@ -61,7 +61,8 @@ impl Face {
     /// Remembers a direction: ten bits for each component, in units of the largest.
     pub(super) fn remember(&mut self, normal: DVec3) {
         let unit = normal / normal.abs().max_element();
-        let bits = unit.to_array().map(|c| ((c * 511.0).round() as i32 as u32) & 1023);
+        // Rounds by cutting off: what rounds properly is a call of a function on older processors.
+        let bits = unit.to_array().map(|c| ((c * 511.0 + 0.5f64.copysign(c)) as i32 as u32) & 1023);
         // A normal without length becomes all zeros, along which every direction looks.
         self.twin[3] = bits[0] | bits[1] << 10 | bits[2] << 20;
     }

@@ -8,6 +8,8 @@ use common::math::DVec3;
 
 /// Cells along a side of a place.
 const CELLS: f64 = 3.0;
+/// The same for cells in which faces are looked for.
+const FINER: f64 = 8.0;
 /// Slots for each face.
 const SLOTS: usize = 2;
 /// How much farther one looks than one need, lest rounding leave something out.
@@ -40,12 +42,13 @@ impl<'a> Witness<'a> {
     /// Of what is in some boxes, given by their lowest and highest corners, and in cells that they meet.
     pub(super) fn around(original: &Grid<'a>, places: Vec<(DVec3, DVec3)>) -> Self {
         let sizes: f64 = places.iter().map(|&(low, high)| (high - low).max_element()).sum();
-        let coarse = original.coarser(sizes / (CELLS * places.len() as f64));
+        let size = sizes / places.len() as f64;
+        let coarse = original.coarser(size / CELLS);
         let known = marked(&coarse, &places);
         let all = 0..original.surface.faces.len() as u32;
         let faces: Vec<u32> =
             all.filter(|&face| meets(&coarse, &known, &original.cells(&coarse, face))).collect();
-        let lattice = original.lattice(SLOTS * faces.len());
+        let lattice = original.coarser(size / FINER).with_slots(SLOTS * faces.len());
         let boxes = Boxes::new(lattice, faces.len(), |i| original.cells(&lattice, faces[i]));
         Self { original: original.surface, coarse, known, faces, lattice, boxes }
     }
