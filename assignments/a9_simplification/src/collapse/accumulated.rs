@@ -1,6 +1,11 @@
 //! Quadrics that are summed up as points merge (Garland & Heckbert 1997, "Surface simplification
 //! using quadric error metrics").
 //!
+//! Planes that were counted for an edge long ago are still there when it has become a vertex, and tell less
+//! and less of what is around it. So all of them are forgotten now and then, and the triangles that are
+//! left are the original from then on: that is better than to remember, and than to move the points that
+//! are left to where the original wants them.
+//!
 //! Each is kept about the point that it belongs to, not about the origin: numbers stay small where
 //! distances are, and nothing cancels far from the origin.
 
@@ -56,30 +61,35 @@ impl Quadric {
 impl Accumulated {
     /// Of all points of a surface.
     pub(super) fn new(surface: &Surface) -> Self {
-        let mut of = vec![Quadric::default(); surface.points.len()];
-        for (i, face) in surface.faces.iter().enumerate() {
-            let normal = surface.normal(i);
+        let mut new = Self { of: vec![Quadric::default(); surface.points.len()] };
+        new.sum_up(surface);
+        new
+    }
+
+    /// Adds the planes of the faces that are there.
+    fn sum_up(&mut self, surface: &Surface) {
+        for i in (0..surface.faces.len() as u32).filter(|&i| surface.is_alive(i)) {
+            let normal = surface.normal(i as usize);
             let length = normal.length();
             let plane = Symmetric::outer(normal, if length > 0.0 { 1.0 / length } else { 0.0 });
-            for (corner, point) in face.corners().into_iter().enumerate() {
-                of[point as usize].add(plane);
-                let h = 4 * i as u32 + corner as u32;
+            for h in 4 * i..4 * i + 3 {
+                let point = surface.start(h);
+                self.of[point as usize].add(plane);
                 if surface.twin(h) == NONE {
                     let end = surface.end(h);
                     let line = Symmetric::line(surface.at(end) - surface.at(point), BOUNDARY);
-                    of[point as usize].add(line);
-                    of[end as usize].add(line);
+                    self.of[point as usize].add(line);
+                    self.of[end as usize].add(line);
                 }
             }
         }
-        Self { of }
     }
 }
 
 impl Cost for Accumulated {
     type Line = Queue;
 
-    const PATIENCE: u32 = 2;
+    const PATIENCE: u32 = 4;
 
     #[inline(always)]
     fn prefetch(&self, point: u32) {
@@ -91,6 +101,12 @@ impl Cost for Accumulated {
         let [p, q] = [surface.start(h), surface.end(h)].map(|point| &self.of[point as usize]);
         let form = |edge| (p.a() + q.a(), q.a().times(edge) - p.b - q.b);
         cheapest(surface, h, form, |y, z| (p.at(y) + q.at(z)).max(0.0))
+    }
+
+    fn forget(&mut self, surface: &Surface) {
+        let points = surface.points.iter().zip(&mut self.of);
+        points.filter(|(point, _)| point.out != NONE).for_each(|(_, of)| *of = Quadric::default());
+        self.sum_up(surface);
     }
 
     #[cfg(test)]

@@ -3,138 +3,145 @@
 //!
 //! To find the nearest of all triangles for each face takes as long as a fast simplification. But most
 //! faces have no triangle near by that looks another way: it is enough to know some distance that is
-//! no less than that of the nearest, and to look for such triangles within it.
+//! no less than that of the nearest, and to ask each triangle whose middle is as near as that to it. Only
+//! around the faces that are left then the original is sorted.
 
 use crate::collapse::boxes::Boxes;
+use crate::collapse::lattice::{Cells, Grid, Lattice};
 use crate::collapse::locate::{locate, nearest};
+#[cfg(test)]
+use crate::collapse::looks::Least;
+use crate::collapse::looks::{Look, Looks};
 use crate::collapse::surface::Surface;
-use common::math::{DVec3, Vec3};
+use crate::collapse::witness::FARTHER;
+use common::math::DVec3;
 
-/// Size of a cell, in sides of the original's triangles.
-const CELL: f64 = 1.0;
-/// More than the error of a cosine in single precision.
-const ROUNDING: f32 = 1e-5;
-/// How much farther one looks than one need, lest rounding leave something out.
-const FARTHER: f64 = 1.0 + 1e-9;
+/// Least size of a cell in terms of how far middles are from the original.
+const REACHES: f64 = 1.5;
 
-/// An original that knows which of its faces are near.
-pub(super) struct Witness<'a> {
-    original: &'a Surface,
-    boxes: Boxes,
-    /// Unit normals, or zero, to be rid of most faces quickly.
-    normals: Vec<Vec3>,
-    /// Side of a cell.
-    cell: f64,
+/// A face of a surface: where and where to it looks.
+#[derive(Clone, Copy)]
+pub(super) struct Probe {
+    middle: DVec3,
+    pub normal: DVec3,
+    /// What the original is not farther than.
+    reach: f64,
 }
 
-impl<'a> Witness<'a> {
-    /// Sorts the original's faces.
-    pub(super) fn new(original: &'a Surface) -> Self {
-        let of = |i: usize| {
-            let [a, b, c] = original.faces[i].corners();
-            let (a, b, c) = (original.at(a), original.at(b), original.at(c));
-            (a.min(b).min(c), a.max(b).max(c))
-        };
-        let cell = CELL * mean_side(original);
-        let normal = |i: usize| original.normal(i).normalize_or_zero().as_vec3();
-        let normals = (0..original.faces.len()).map(normal).collect();
-        Self { original, boxes: Boxes::new(original.faces.len(), cell, of), normals, cell }
-    }
+/// The faces of a surface that may look against the original: few more than those that do. `near` tells for
+/// every point of the surface one of the original's that should be close, `was` for every face which of the
+/// original's it was.
+pub(super) fn suspects(original: &Grid, surface: &Surface, near: &[u32], was: &[u32]) -> Vec<u32> {
+    let probe = |face: usize| probe(original.surface, surface, near, was, face);
+    let probes: Vec<Probe> = (0..was.len()).map(probe).collect();
+    let against = against(original, &probes);
+    let is_suspect = |&face: &usize| {
+        let start = near[surface.faces[face].corners()[0] as usize];
+        against[face] < f64::INFINITY && !probes[face].looks_along(original.surface, start, against[face])
+    };
+    (0..was.len()).filter(is_suspect).map(|face| face as u32).collect()
+}
 
-    /// Bytes that are held.
-    #[cfg(test)]
-    pub(super) fn bytes(&self) -> usize {
-        self.boxes.bytes() + self.normals.capacity() * size_of::<Vec3>()
-    }
+#[inline(always)]
+fn probe(original: &Surface, surface: &Surface, near: &[u32], was: &[u32], face: usize) -> Probe {
+    let [a, b, c] = surface.faces[face].corners();
+    let (middle, normal) = middle([surface.at(a), surface.at(b), surface.at(c)]);
+    let start = original.at(near[a as usize]).distance_squared(middle);
+    let reach = Triangle::of(original, was[face]).square(middle).min(start).sqrt() * FARTHER;
+    Probe { middle, normal, reach }
+}
 
-    /// The faces that look against the original. `near` tells for every point of the surface one of the
-    /// original's that should be close, `was` for every face which of the original's it was.
-    pub(super) fn disputes(&self, surface: &Surface, near: &[u32], was: &[u32]) -> Vec<u32> {
-        let agrees = |face: usize| {
-            let [a, b, c] = surface.faces[face].corners();
-            let corners = [surface.at(a), surface.at(b), surface.at(c)];
-            let (middle, normal) = middle(corners);
-            let start = near[a as usize];
-            let far = self.square(was[face], middle).min(self.original.at(start).distance_squared(middle));
-            self.none_against(middle, normal, far) || self.agrees(start, corners)
-        };
-        (0..surface.faces.len()).filter(|&face| !agrees(face)).map(|face| face as u32).collect()
-    }
-
-    /// Whether it is known at a glance that nothing within √`far` looks against a normal.
-    fn none_against(&self, p: DVec3, normal: DVec3, far: f64) -> bool {
-        let (reach, mut none) = (far.sqrt() * FARTHER, true);
-        if reach > self.cell {
-            return false;
-        }
-        let quickly = normal.normalize_or_zero().as_vec3();
-        self.boxes.near(p - reach, p + reach, |face| {
-            if self.normals[face as usize].dot(quickly) < ROUNDING {
-                let looks_along = self.original.normal(face as usize).dot(normal) >= 0.0;
-                none &= looks_along || self.square(face, p) > far * FARTHER;
+/// For every probe the squared distance of what is nearest of all that looks against it, infinite if there is
+/// nothing of that kind within reach.
+fn against(original: &Grid, probes: &[Probe]) -> Vec<f64> {
+    let mean_reach = probes.iter().map(|probe| probe.reach).sum::<f64>() / probes.len() as f64;
+    let lattice = original.coarser(REACHES * mean_reach);
+    let boxes = Boxes::new(lattice, probes.len(), |i| probes[i].cells(&lattice));
+    let looks = Looks::new(lattice, probes);
+    let mut against = vec![f64::INFINITY; probes.len()];
+    for (i, face) in original.surface.faces.iter().enumerate() {
+        let (face, look) = (i as u32, Look::of(face.look()));
+        let mut triangle = None;
+        let ask = |probe: u32| {
+            let triangle = triangle.get_or_insert_with(|| Triangle::of(original.surface, face));
+            if let Some(square) = probes[probe as usize].against(triangle) {
+                let nearest = &mut against[probe as usize];
+                *nearest = nearest.min(square);
             }
-        });
-        none
-    }
-
-    /// Whether a triangle looks along something of all that is nearest to its middle; one looks for that around
-    /// `start` first.
-    pub(super) fn agrees(&self, start: u32, corners: [DVec3; 3]) -> bool {
-        let (middle, normal) = middle(corners);
-        let farthest = locate(self.original, start, middle).0.sqrt() * FARTHER;
-        let mut reach = farthest.min(self.cell);
-        let [along, against] = loop {
-            let nearest = self.nearest(middle, normal, reach);
-            let found = nearest.iter().any(|square| square.sqrt() <= reach);
-            if found || reach >= farthest {
-                break nearest;
-            }
-            reach = farthest.min(2.0 * reach);
         };
-        // Distances are no better than coordinates.
-        along.sqrt() <= against.sqrt() + 8.0 * f64::EPSILON * middle.abs().max_element()
+        boxes.near(&original.cells(&lattice, face), |slot| looks.all_along(slot, &look), ask);
     }
+    against
+}
 
-    /// Squared distances of the nearest face that looks along a normal and of the nearest that looks
-    /// against it, among those within a distance and a few more; infinite if there is none.
-    fn nearest(&self, p: DVec3, normal: DVec3, reach: f64) -> [f64; 2] {
-        let mut best = [f64::INFINITY; 2];
-        self.boxes.near(p - reach, p + reach, |face| {
-            let best = &mut best[usize::from(self.original.normal(face as usize).dot(normal) < 0.0)];
-            *best = best.min(self.square(face, p));
-        });
-        best
-    }
+/// Bytes that are held while one looks for suspects among so many faces, if each is in two cells.
+#[cfg(test)]
+pub(super) fn bytes(original: &Grid, faces: usize) -> usize {
+    let each_slot = size_of::<Least>() + 2 * size_of::<u32>();
+    let each_face = size_of::<Probe>() + size_of::<f64>() + 2 * size_of::<u32>();
+    original.bytes() + original.coarser(0.0).slots() * each_slot + faces * each_face
+}
 
-    /// Middles of the original's faces that are in a box, in the order of their numbers.
-    pub(super) fn middles_within(&self, low: DVec3, high: DVec3) -> Vec<DVec3> {
-        let mut found = Vec::new();
-        self.boxes.near(low, high, |face| found.push(face));
-        found.sort_unstable();
-        found.dedup();
-        let corners = |face: u32| self.original.faces[face as usize].corners().map(|p| self.original.at(p));
-        let middles = found.into_iter().map(|face| middle(corners(face)).0);
-        middles.filter(|p| p.cmpge(low).all() && p.cmple(high).all()).collect()
-    }
-
-    /// Squared distance to a face of the original.
+impl Probe {
+    /// The box around what is within its reach.
     #[inline(always)]
-    fn square(&self, face: u32, p: DVec3) -> f64 {
-        let [a, b, c] = self.original.faces[face as usize].corners();
-        let (a, b, c) = (self.original.at(a), self.original.at(b), self.original.at(c));
+    fn around(&self) -> (DVec3, DVec3) {
+        (self.middle - self.reach, self.middle + self.reach)
+    }
+
+    /// The cells that it meets.
+    #[inline(always)]
+    pub(super) fn cells(&self, lattice: &Lattice) -> Cells {
+        let (low, high) = self.around();
+        lattice.cells(low, high)
+    }
+
+    /// The squared distance of a triangle if it is within reach and looks the other way.
+    #[inline(always)]
+    fn against(&self, triangle: &Triangle) -> Option<f64> {
+        if triangle.normal.dot(self.normal) >= 0.0 {
+            return None;
+        }
+        let reach2 = self.reach * self.reach * FARTHER;
+        let above = triangle.normal.dot(self.middle - triangle.corners[0]);
+        if above * above > reach2 * FARTHER * triangle.normal.length_squared() {
+            return None;
+        }
+        Some(triangle.square(self.middle)).filter(|square| *square <= reach2)
+    }
+
+    /// Whether it is known at a glance that something along which it looks is as near as what is not.
+    fn looks_along(&self, original: &Surface, start: u32, against: f64) -> bool {
+        let (square, landing) = locate(original, start, self.middle);
+        square <= against && original.normal(landing.face as usize).dot(self.normal) >= 0.0
+    }
+}
+
+/// A face of the original.
+pub(super) struct Triangle {
+    /// Where its corners are.
+    pub corners: [DVec3; 3],
+    /// As long as twice the area.
+    pub normal: DVec3,
+}
+
+impl Triangle {
+    #[inline(always)]
+    pub(super) fn of(original: &Surface, face: u32) -> Self {
+        let corners = original.faces[face as usize].corners().map(|p| original.at(p));
+        Self { corners, normal: middle(corners).1 }
+    }
+
+    /// Squared distance to a point.
+    #[inline(always)]
+    pub(super) fn square(&self, p: DVec3) -> f64 {
+        let [a, b, c] = self.corners;
         let [u, v, w] = nearest(p, a, b, c);
         (a * u + b * v + c * w).distance_squared(p)
     }
 }
 
-fn middle([a, b, c]: [DVec3; 3]) -> (DVec3, DVec3) {
+/// Middle and normal of a triangle.
+pub(super) fn middle([a, b, c]: [DVec3; 3]) -> (DVec3, DVec3) {
     ((a + b + c) / 3.0, (b - a).cross(c - a))
-}
-
-/// Mean length of some sides.
-fn mean_side(surface: &Surface) -> f64 {
-    let stride = 1 + surface.faces.len() / 1000;
-    let side = |[a, b, _]: [u32; 3]| (surface.at(a) - surface.at(b)).length();
-    let sides = surface.faces.iter().step_by(stride);
-    sides.map(|face| side(face.corners())).sum::<f64>() * stride as f64 / surface.faces.len().max(1) as f64
 }

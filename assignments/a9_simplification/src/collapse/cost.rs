@@ -46,6 +46,9 @@ pub(super) trait Cost: Clone {
     /// The price of drawing the edge of a half-edge together.
     fn price(&self, surface: &Surface, h: u32) -> Offer;
 
+    /// Forgets what was there before, as if the surface had been so from the beginning.
+    fn forget(&mut self, _surface: &Surface) {}
+
     /// Bytes that are held for all points.
     #[cfg(test)]
     fn bytes(&self) -> usize;

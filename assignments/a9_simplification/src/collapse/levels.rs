@@ -1,10 +1,11 @@
 //! A mesh made ready, and the levels that one run goes through.
 
 use crate::collapse::accumulated::Accumulated;
-use crate::collapse::against::Witness;
+use crate::collapse::against::suspects;
 use crate::collapse::build::{Built, build};
 use crate::collapse::cost::Cost;
 use crate::collapse::deviation::{closest, deviation};
+use crate::collapse::lattice::Grid;
 use crate::collapse::melax::Curvature;
 use crate::collapse::memoryless::Memoryless;
 use crate::collapse::mend::Mender;
@@ -61,10 +62,13 @@ const FEW: usize = 20;
 
 /// As many samples as were found to lower the error.
 const ALWAYS: Finish = Finish { samples: 32, from: 1, rounds: 3 };
-/// As few as bring most of it, where they bring much.
-const QUICKLY: Finish = Finish { samples: 8, from: 5, rounds: 1 };
+/// Where it costs little.
+const QUICKLY: Finish = Finish { samples: 8, from: FEW, rounds: 1 };
 /// Points stay where the run put them.
 const NEVER: Finish = Finish { samples: 0, from: usize::MAX, rounds: 0 };
+
+/// Size of the cells in which one looks for what is against the original, in sides of its triangles.
+const CELL: f64 = 1.5;
 
 struct Levels<'a, C: Cost> {
     prepared: &'a Prepared<'a>,
@@ -199,10 +203,12 @@ impl<C: Cost> Level for Levels<'_, C> {
         if changed {
             let near = closest(&built.surface, &snapshot.surface, &snapshot.becomes);
             self.fit(&mut snapshot, &near);
-            let witness = Witness::new(&built.surface);
-            let disputed = witness.disputes(&snapshot.surface, &near, &snapshot.faces);
-            let mender = Mender { witness: &witness, fixed: &snapshot.fixed, near: &near };
-            against = mender.mend(&mut snapshot.surface, disputed);
+            let original = Grid::new(&built.surface, CELL);
+            let suspects = suspects(&original, &snapshot.surface, &near, &snapshot.faces);
+            if !suspects.is_empty() {
+                let mender = Mender::new(&original, &snapshot.surface, &suspects, &snapshot.fixed, &near);
+                against = mender.mend(&mut snapshot.surface, suspects);
+            }
         }
         let error = bound.then(|| if changed { self.error(&snapshot) } else { 0.0 });
         let (mesh, becomes) = snapshot.mesh(&welded.point_of, self.run.wedges.as_ref());

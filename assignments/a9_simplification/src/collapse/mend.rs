@@ -5,10 +5,12 @@
 //! that points against the original's where that is nearest to their middle. Here each of those has one
 //! of its corners moved, by as little as will do.
 
-use crate::collapse::against::Witness;
-use crate::collapse::locate::nearest;
+use crate::collapse::against::middle;
+use crate::collapse::lattice::Grid;
+use crate::collapse::locate::{locate, nearest};
 use crate::collapse::ring::is_no_worse;
-use crate::collapse::surface::{Surface, next, previous};
+use crate::collapse::surface::{NONE, Surface, next, previous};
+use crate::collapse::witness::{Vicinity, Witness};
 use common::math::{DVec3, Vec3};
 
 /// How far a corner is moved, in lengths of an edge: the first that helps is taken.
@@ -17,16 +19,37 @@ const STEPS: [f64; 9] = [0.03, 0.05, 0.08, 0.11, 0.16, 0.23, 0.34, 0.5, 0.75];
 /// original is tried again.
 const FINENESS: [i32; 3] = [3, 4, FINEST];
 const FINEST: i32 = 7;
+/// How far one may look beyond what is around a face before the whole original has to be asked.
+const MARGIN: f64 = 0.2;
 /// How many samples of the original tell which of several moves is best.
 const MOST_SAMPLES: usize = 60;
 
 /// Moves points so that faces look along the original.
 pub(super) struct Mender<'a> {
-    pub witness: &'a Witness<'a>,
+    original: &'a Surface,
+    witness: Witness<'a>,
     /// Points that may not be moved.
-    pub fixed: &'a [bool],
+    fixed: &'a [bool],
     /// For every point one of the original's that should be close.
-    pub near: &'a [u32],
+    near: &'a [u32],
+}
+
+/// A point that may be moved.
+struct Corner {
+    point: u32,
+    from: DVec3,
+    /// Where to, as far as its edges are long.
+    ways: Vec<DVec3>,
+    spokes: Vec<Spoke>,
+}
+
+/// A face at such a point.
+struct Spoke {
+    face: u32,
+    /// Its other two corners.
+    sides: [DVec3; 2],
+    /// What is near its middle.
+    vicinity: Vicinity,
 }
 
 /// A better place for a point.
@@ -37,7 +60,23 @@ struct Move {
     to: DVec3,
 }
 
-impl Mender<'_> {
+impl<'a> Mender<'a> {
+    /// For some faces of a surface.
+    pub(super) fn new(
+        original: &Grid<'a>,
+        surface: &Surface,
+        faces: &[u32],
+        fixed: &'a [bool],
+        near: &'a [u32],
+    ) -> Self {
+        let places = faces.iter().map(|&face| {
+            let (low, high) = around(surface, face);
+            let more = MARGIN * (high - low).max_element();
+            (low - more, high + more)
+        });
+        Self { original: original.surface, witness: Witness::around(original, places.collect()), fixed, near }
+    }
+
     /// Moves corners of some faces until none of them looks against the original, and no other that
     /// does not do so already; tells how many still do.
     pub(super) fn mend(&self, surface: &mut Surface, mut faces: Vec<u32>) -> usize {
@@ -57,32 +96,43 @@ impl Mender<'_> {
     }
 
     fn agrees(&self, surface: &Surface, face: u32) -> bool {
-        let [a, b, c] = surface.faces[face as usize].corners();
-        self.witness.agrees(self.near[a as usize], [surface.at(a), surface.at(b), surface.at(c)])
+        let points = surface.faces[face as usize].corners();
+        let corners = points.map(|p| surface.at(p));
+        let (middle, _) = middle(corners);
+        let farthest = locate(self.original, self.near[points[0] as usize], middle).0.sqrt();
+        self.witness.agrees(corners, farthest)
     }
 
     /// Of the least moves that help the one that is best for what is around.
     fn best_move(&self, surface: &Surface, face: u32, fineness: i32) -> Option<Move> {
-        let corners = surface.faces[face as usize].corners();
-        let may_move = |point: &&u32| !self.fixed[**point as usize];
+        let points = surface.faces[face as usize].corners();
+        let may_move = points.into_iter().filter(|&point| !self.fixed[point as usize]);
+        let mut corners: Vec<Corner> = may_move.map(|point| self.corner(surface, point, fineness)).collect();
         let moves = |&step: &f64| -> Vec<Move> {
-            let points = corners.iter().filter(may_move);
-            points.flat_map(|&point| self.moves(surface, face, point, (step, fineness))).collect()
+            corners.iter_mut().flat_map(|corner| self.moves(surface, face, corner, step)).collect()
         };
         let found = STEPS.iter().map(moves).find(|moves| !moves.is_empty())?;
         if let [only] = found[..] {
             return Some(only);
         }
-        let samples = self.samples(surface, corners);
-        let judged = found.into_iter().map(|to| (worse(&samples, surface, &to), to));
+        let samples = self.samples(surface, face);
+        // Moves of one point follow each other.
+        let mut now = (NONE, Vec::new());
+        let judged = found.into_iter().map(|to| {
+            if now.0 != to.point {
+                now = (to.point, squares(&samples, surface, to.point, surface.at(to.point)));
+            }
+            let then = squares(&samples, surface, to.point, to.to);
+            (then.iter().zip(&now.1).map(|(then, now)| then - now).sum::<f64>(), to)
+        });
         judged.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, best)| best)
     }
 
-    /// Places for a corner at which the face looks along the original and no other ceases to: all
-    /// around it, but on the boundary only along that unless nothing else has helped.
-    fn moves(&self, surface: &Surface, face: u32, point: u32, (step, fineness): (f64, i32)) -> Vec<Move> {
+    /// A point and where to it may be moved: all around it, but on the boundary only along that unless
+    /// nothing else has helped.
+    fn corner(&self, surface: &Surface, point: u32, fineness: i32) -> Corner {
         let from = surface.at(point);
-        let ways: Vec<DVec3> = if surface.on_boundary(point) && fineness < FINEST {
+        let ways = if surface.on_boundary(point) && fineness < FINEST {
             let first = surface.points[point as usize].out;
             let last = surface.fan(point).last().map_or(first, previous);
             [surface.end(first), surface.start(last)].map(|p| surface.at(p) - from).to_vec()
@@ -91,41 +141,65 @@ impl Mender<'_> {
             let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), length| (sum + length, count + 1.0));
             ways_from_middle(fineness).map(|way| way * (sum / count)).collect()
         };
-        let moved = |way: DVec3| {
-            let place = surface.round(from + way * step);
-            Move { point, place, to: place.as_dvec3() * surface.scale }
+        let spoke = |h: u32| {
+            let [p, q] = sides(surface, h);
+            let (middle, _) = middle([from, p, q]);
+            let farthest = locate(self.original, self.near[point as usize], middle).0.sqrt();
+            Spoke { face: h >> 2, sides: [p, q], vicinity: Vicinity::of(middle, farthest) }
         };
-        ways.into_iter().map(moved).filter(|to| self.helps(surface, face, to)).collect()
+        Corner { point, from, ways, spokes: surface.fan(point).map(spoke).collect() }
     }
 
-    /// Whether the face looks along the original after a move, and no other ceases to.
-    fn helps(&self, surface: &Surface, face: u32, &Move { point, to, .. }: &Move) -> bool {
-        let from = surface.at(point);
-        let keeps = |h: u32| {
-            let [p, q] = sides(surface, h);
-            let turns = (p - from).cross(q - from).dot((p - to).cross(q - to)) <= 0.0;
-            (h >> 2 == face || !turns) && keeps_shape(from, to, [p, q])
+    /// Places for a corner, so far away, at which the face looks along the original and no other ceases to.
+    fn moves(&self, surface: &Surface, face: u32, corner: &mut Corner, step: f64) -> Vec<Move> {
+        let longest = corner.ways.iter().map(|way| way.length()).fold(0.0, f64::max);
+        for spoke in &mut corner.spokes {
+            // The middle moves by a third of it.
+            self.witness.widen(&mut spoke.vicinity, longest * step * 0.34);
+        }
+        let moved = |way: &DVec3| {
+            let place = surface.round(corner.from + *way * step);
+            Move { point: corner.point, place, to: place.as_dvec3() * surface.scale }
         };
-        let agrees = |h: u32, corner: DVec3| {
-            let [p, q] = sides(surface, h);
-            self.witness.agrees(self.near[point as usize], [corner, p, q])
-        };
-        // What looks against the original already may do so a while longer.
-        let others = |h: u32| h >> 2 == face || agrees(h, to) || !agrees(h, from);
-        surface.fan(point).all(keeps)
-            && surface.fan(point).filter(|h| h >> 2 == face).all(|h| agrees(h, to))
-            && surface.fan(point).all(others)
+        corner.ways.iter().map(moved).filter(|to| corner.helps(face, to.to)).collect()
     }
 
     /// Middles of some of the original's faces around a face.
-    fn samples(&self, surface: &Surface, corners: [u32; 3]) -> Vec<DVec3> {
-        let around =
-            corners.into_iter().flat_map(|corner| surface.fan(corner)).map(|h| surface.at(surface.end(h)));
-        let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let (low, high) = around.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
+    fn samples(&self, surface: &Surface, face: u32) -> Vec<DVec3> {
+        let (low, high) = around(surface, face);
         let samples = self.witness.middles_within(low, high);
         let stride = samples.len().div_ceil(MOST_SAMPLES).max(1);
         samples.into_iter().step_by(stride).collect()
+    }
+}
+
+/// The box around all neighbours of a face's corners.
+fn around(surface: &Surface, face: u32) -> (DVec3, DVec3) {
+    let corners = surface.faces[face as usize].corners();
+    let points =
+        corners.into_iter().flat_map(|corner| surface.fan(corner)).map(|h| surface.at(surface.end(h)));
+    let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    points.fold(empty, |(low, high), p| (low.min(p), high.max(p)))
+}
+
+impl Corner {
+    /// Whether a face looks along the original if the point moves, and no other ceases to.
+    fn helps(&self, face: u32, to: DVec3) -> bool {
+        let from = self.from;
+        let keeps = |spoke: &Spoke| {
+            let [p, q] = spoke.sides;
+            let turns = (p - from).cross(q - from).dot((p - to).cross(q - to)) <= 0.0;
+            (spoke.face == face || !turns) && keeps_shape(from, to, spoke.sides)
+        };
+        let agrees = |spoke: &Spoke, corner: DVec3| {
+            let [p, q] = spoke.sides;
+            spoke.vicinity.agrees([corner, p, q])
+        };
+        // What looks against the original already may do so a while longer.
+        let others = |spoke: &Spoke| spoke.face == face || agrees(spoke, to) || !agrees(spoke, from);
+        self.spokes.iter().all(keeps)
+            && self.spokes.iter().filter(|spoke| spoke.face == face).all(|spoke| agrees(spoke, to))
+            && self.spokes.iter().all(others)
     }
 }
 
@@ -141,19 +215,18 @@ fn sides(surface: &Surface, h: u32) -> [DVec3; 2] {
     [next(h), previous(h)].map(|h| surface.at(surface.start(h)))
 }
 
-/// By how much the sum of the squares of the samples' distances grows when a point is moved.
+/// The squared distances of samples from the faces around a point if that were elsewhere.
 /// What is far from all faces there does not count, as it is nearest to the rim, which stays.
-fn worse(samples: &[DVec3], surface: &Surface, &Move { point, to, .. }: &Move) -> f64 {
-    let square = |sample: DVec3, corner: DVec3| {
+fn squares(samples: &[DVec3], surface: &Surface, point: u32, at: DVec3) -> Vec<f64> {
+    let square = |sample: &DVec3| {
         let squares = surface.fan(point).map(|h| {
             let [p, q] = sides(surface, h);
-            let [u, v, w] = nearest(sample, corner, p, q);
-            (corner * u + p * v + q * w).distance_squared(sample)
+            let [u, v, w] = nearest(*sample, at, p, q);
+            (at * u + p * v + q * w).distance_squared(*sample)
         });
         squares.fold(f64::INFINITY, f64::min)
     };
-    let from = surface.at(point);
-    samples.iter().map(|&sample| square(sample, to) - square(sample, from)).sum()
+    samples.iter().map(square).collect()
 }
 
 /// Whether a face is not made a sliver when one of its corners moves; the others are p and q.

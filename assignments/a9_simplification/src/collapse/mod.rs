@@ -12,8 +12,10 @@ mod cells;
 mod cost;
 mod deviation;
 mod heap;
+mod lattice;
 mod levels;
 mod locate;
+mod looks;
 mod melax;
 mod memoryless;
 mod mend;
@@ -29,5 +31,6 @@ mod snapshot;
 mod surface;
 mod wedges;
 mod weld;
+mod witness;
 
 pub(crate) use levels::{Level, Prepared};

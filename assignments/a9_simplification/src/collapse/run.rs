@@ -17,6 +17,9 @@ const FACE_AHEAD: usize = 24;
 /// … and what is known of its ends.
 const POINTS_AHEAD: usize = 12;
 
+/// What share of the faces is left when what was before is forgotten, again and again.
+const MEMORY: f64 = 0.7;
+
 /// When it is somebody's turn.
 type Turn<C> = <<C as Cost>::Line as Line>::Turn;
 
@@ -34,6 +37,8 @@ pub(super) struct Run<C: Cost> {
     cost: C,
     queue: C::Line,
     ring: Ring,
+    /// So many faces are left when it is time to forget.
+    forget_at: usize,
 }
 
 impl<C: Cost> Run<C> {
@@ -48,6 +53,7 @@ impl<C: Cost> Run<C> {
             wedges,
             cost: cost(&surface),
             ring: Ring::default(),
+            forget_at: share(surface.alive, MEMORY),
             surface,
         };
         for face in 0..run.surface.faces.len() as u32 {
@@ -67,6 +73,10 @@ impl<C: Cost> Run<C> {
         while self.surface.alive > target {
             let Some((h, turn)) = self.queue.pop() else { return false };
             self.look_ahead();
+            if self.surface.alive <= self.forget_at {
+                self.cost.forget(&self.surface);
+                self.forget_at = share(self.surface.alive, MEMORY);
+            }
             if !self.surface.is_alive(h >> 2) {
                 continue;
             }
@@ -151,6 +161,10 @@ impl<C: Cost> Run<C> {
     }
 }
 
+fn share(count: usize, share: f64) -> usize {
+    (count as f64 * share) as usize
+}
+
 /// The last of the points that each point went into.
 pub(super) fn roots(parent: &[u32]) -> Vec<u32> {
     let mut root = parent.to_vec();
@@ -172,8 +186,9 @@ pub(super) fn roots(parent: &[u32]) -> Vec<u32> {
 mod tests {
     use super::*;
     use crate::collapse::accumulated::Accumulated;
-    use crate::collapse::against::Witness;
+    use crate::collapse::against;
     use crate::collapse::build::build;
+    use crate::collapse::lattice::Grid;
     use crate::collapse::melax::Curvature;
     use crate::collapse::memoryless::Memoryless;
     use common::math::Vec3;
@@ -201,9 +216,9 @@ mod tests {
         };
         let before = full(&run);
         run.until(count / 10);
-        let witness = Witness::new(&built.surface).bytes();
+        let looking = against::bytes(&Grid::new(&built.surface, 1.5), run.surface.alive);
         let original = of_surface(&built.surface) + built.cut.capacity() + size_of_val(&places[..]);
-        (before.max(full(&run)) + original + witness) as f64 / count as f64
+        (before.max(full(&run)) + original + looking) as f64 / count as f64
     }
 
     #[test]

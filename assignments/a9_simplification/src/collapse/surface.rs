@@ -61,16 +61,23 @@ impl Face {
     /// Remembers a direction: ten bits for each component, in units of the largest.
     pub(super) fn remember(&mut self, normal: DVec3) {
         let unit = normal / normal.abs().max_element();
-        let bits = unit.to_array().map(|c| ((c * 511.0).round() as i32 as u32) & 1023);
+        // Rounds by cutting off: what rounds properly is a call of a function on older processors.
+        let bits = unit.to_array().map(|c| ((c * 511.0 + 0.5f64.copysign(c)) as i32 as u32) & 1023);
         // A normal without length becomes all zeros, along which every direction looks.
         self.twin[3] = bits[0] | bits[1] << 10 | bits[2] << 20;
+    }
+
+    /// What was remembered: the largest component is 511, others are up to half of 1 off.
+    #[inline(always)]
+    pub(super) fn look(&self) -> [i16; 3] {
+        [22, 12, 2].map(|shift| ((self.twin[3] << shift) as i32 >> 22) as i16)
     }
 
     /// Whether a direction is within a right angle of what was remembered.
     #[inline(always)]
     pub(super) fn looks_along(&self, normal: DVec3) -> bool {
-        let component = |shift: u32| f64::from((self.twin[3] << (22 - shift)) as i32 >> 22);
-        normal.x * component(0) + normal.y * component(10) + normal.z * component(20) >= 0.0
+        let [x, y, z] = self.look().map(f64::from);
+        normal.x * x + normal.y * y + normal.z * z >= 0.0
     }
 
     /// Takes over the twins of another face, renumbered, and what it remembers.
