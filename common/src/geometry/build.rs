@@ -39,11 +39,6 @@ struct Shared<'a> {
     normals: HashMap<u32, Arc<[Vec3]>>,
 }
 
-/// As many triangles are hit many times each: what their surface points have in common is worked
-/// out once. Of larger meshes a picture may show few triangles, and memory is slower than
-/// arithmetic.
-const FEW_TRIANGLES: usize = 4096;
-
 impl Geometry {
     /// Composes all transforms in `f64` and bakes every shape.
     ///
@@ -61,9 +56,7 @@ impl Geometry {
             }
         }
         geometry.bounds = geometry.finite_bounds();
-        if geometry.triangles.len() <= FEW_TRIANGLES {
-            geometry.facets = geometry.triangles.iter().map(Facet::new).collect();
-        }
+        geometry.facets = Facet::of_few(&geometry.triangles);
         Ok(geometry)
     }
 

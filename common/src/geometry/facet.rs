@@ -2,6 +2,11 @@
 
 use crate::math::{DVec3, UNIT_ROUNDOFF, Vec3};
 
+/// As many triangles are hit many times each: what their surface points have in common is worked
+/// out once. Of larger meshes a picture may show few triangles, and memory is slower than
+/// arithmetic.
+const FEW: usize = 4096;
+
 /// What surface points of a triangle want to know of it; none of it depends on the point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Facet {
@@ -16,6 +21,11 @@ pub(crate) struct Facet {
 }
 
 impl Facet {
+    /// The facets of all triangles if there are few, else none.
+    pub fn of_few(triangles: &[[Vec3; 3]]) -> Vec<Self> {
+        if triangles.len() <= FEW { triangles.iter().map(Self::new).collect() } else { Vec::new() }
+    }
+
     /// The facet of three corners.
     #[inline(always)]
     pub fn new(corners: &[Vec3; 3]) -> Self {
