@@ -5,6 +5,7 @@
 //! through [`Studio::render`] and differ in their layers and in the structure that finds hits.
 
 mod args;
+mod checks;
 mod layer;
 mod report;
 mod studio;

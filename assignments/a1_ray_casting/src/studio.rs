@@ -1,18 +1,16 @@
 //! From a command line to pictures on disk: the frame that all ray-traced pictures are made in.
 
+use crate::checks::{check_outputs, choose_instructions, refuse_textures};
 use crate::{CastArgs, Layer, Report, Sight};
-use clap::ValueEnum;
 use common::accel::Accel;
-use common::atomic::{self, place};
 use common::camera::{Camera, screen_position};
-use common::cli::{self, AppError, SimdChoice, Skip};
+use common::cli::{self, AppError, Skip};
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit, SolidShape};
 use common::math::Vec3;
-use common::picture::{Film, Size, Transfer, check_output, write};
+use common::picture::{Film, Size, Transfer, write};
 use common::ray::Ray;
-use common::scene::{self, Material, Node, NodeKind, Scene, ShapeSpec};
-use common::simd;
+use common::scene::{self, Node, NodeKind, Scene, ShapeSpec};
 use common::tiles::{Tile, TileLayers, render};
 use std::path::{Path, PathBuf};
 
@@ -249,52 +247,4 @@ fn prepared(scene: &Scene, geometry: &Geometry) -> Counters {
         skipped_matrix: (solids.len() - matrices) as u64,
         ..Counters::default()
     }
-}
-
-fn choose_instructions(args: &CastArgs) -> Result<(), AppError> {
-    let choice = args.general.simd;
-    if choice == SimdChoice::Auto {
-        return Ok(());
-    }
-    let value = choice.to_possible_value();
-    let name = value.as_ref().map_or("auto", |v| v.get_name());
-    simd::restrict(name).map_err(|why| AppError::Usage(format!("-simd {name}: {why}")))
-}
-
-fn check_outputs(args: &CastArgs, outputs: &[&Path], size: Size) -> Result<(), AppError> {
-    let scene = place(&args.input);
-    let files = args.further_files.iter().map(PathBuf::as_path);
-    let all: Vec<&Path> = outputs.iter().copied().chain(files).collect();
-    let places: Vec<PathBuf> = all.iter().map(|path| place(path)).collect();
-    for (i, path) in all.iter().enumerate() {
-        let is_picture = i < outputs.len();
-        if places[..i].contains(&places[i]) {
-            let what = if is_picture { "pictures" } else { "files" };
-            return Err(AppError::Usage(format!("two {what} would be written to {}", path.display())));
-        }
-        if places[i] == scene {
-            return Err(AppError::Usage(format!(
-                "{} is the scene; a picture would destroy it",
-                path.display()
-            )));
-        }
-        if is_picture {
-            check_output(path, size)?;
-        } else {
-            atomic::check(path)?;
-        }
-    }
-    Ok(())
-}
-
-/// Textures are drawn from assignment 6 on; a wrong picture would be worse than none.
-fn refuse_textures(scene: &Scene) -> Result<(), AppError> {
-    let textured = |m: &Material| match m {
-        Material::Solid(_) => true,
-        Material::Phong(p) => p.image.is_some(),
-    };
-    if scene.materials.iter().any(textured) {
-        return Err(AppError::Usage("this scene has textures, which assignment 6 draws".to_owned()));
-    }
-    Ok(())
 }

@@ -9,6 +9,7 @@
 mod body;
 mod build;
 mod facet;
+mod hit;
 mod placed;
 mod smooth;
 mod surface;
@@ -17,6 +18,7 @@ mod tests;
 mod uv;
 
 pub use build::GeometryError;
+pub use hit::{Hit, hit_triangle};
 pub use placed::PlacedMesh;
 pub use smooth::facing;
 pub use surface::{Departure, Surface};
@@ -24,35 +26,14 @@ pub use surface::{Departure, Surface};
 use crate::counters::Counters;
 use crate::math::{Bounds, Interval, Vec3};
 use crate::ray::Ray;
+use crate::shape::ExactRay;
 use crate::shape::ellipsoid::Ellipsoid;
 use crate::shape::plane::{self, Plane};
 use crate::shape::sphere::{self, Sphere};
-use crate::shape::{ExactRay, triangle};
 use facet::Facet;
 use smooth::Smooth;
 use std::sync::OnceLock;
 use uv::UvMap;
-
-/// What traversal carries of a hit: the least from which all else can be worked out.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// Ray parameter in units of the ray's direction.
-    pub t: f32,
-    /// Number of the primitive in file order.
-    pub primitive: u32,
-    /// Barycentric weight of a triangle's second corner; 0 for other primitives.
-    pub u: f32,
-    /// Barycentric weight of a triangle's third corner; 0 for other primitives.
-    pub v: f32,
-}
-
-impl Hit {
-    /// Whether this hit comes before `other`: smaller t, or the same t and a smaller number.
-    #[inline]
-    pub fn precedes(&self, other: Option<&Hit>) -> bool {
-        other.is_none_or(|o| self.t < o.t || (self.t == o.t && self.primitive < o.primitive))
-    }
-}
 
 /// A finite primitive that is not a triangle.
 #[derive(Clone, Debug)]
@@ -253,11 +234,4 @@ impl Geometry {
     pub fn material(&self, primitive: u32) -> u32 {
         self.locate(primitive).0.material
     }
-}
-
-/// Tests one triangle; `primitive` is put into the hit as it is.
-#[inline(always)]
-pub fn hit_triangle(vertices: &[Vec3; 3], primitive: u32, ray: &ExactRay, interval: Interval) -> Option<Hit> {
-    let hit = triangle::intersect(ray, vertices)?;
-    interval.contains(hit.t).then_some(Hit { t: hit.t, primitive, u: hit.u, v: hit.v })
 }

@@ -29,7 +29,10 @@ const FAMILIES: [Family; 6] = [
         name: "scenes",
         samples: scenes::samples,
         read: scenes::read,
-        numbers: |_| Numbers { prefixes: usize::MAX, edits: 60_000, swaps: 40_000 },
+        numbers: |thorough| match thorough {
+            true => Numbers { prefixes: usize::MAX, edits: 60_000, swaps: 40_000 },
+            false => Numbers { prefixes: 700, edits: 20_000, swaps: 14_000 },
+        },
     },
     Family {
         name: "ifs",
@@ -42,9 +45,9 @@ const FAMILIES: [Family; 6] = [
         samples: meshes::samples,
         read: meshes::read,
         numbers: |thorough| Numbers {
-            prefixes: if thorough { 20_000 } else { 200 },
-            edits: 10_000,
-            swaps: 10_000,
+            prefixes: if thorough { 20_000 } else { 100 },
+            edits: if thorough { 10_000 } else { 5_000 },
+            swaps: if thorough { 10_000 } else { 5_000 },
         },
     },
     Family {
@@ -53,8 +56,8 @@ const FAMILIES: [Family; 6] = [
         read: pictures::read,
         numbers: |thorough| Numbers {
             prefixes: 1000,
-            edits: if thorough { 20_000 } else { 8_000 },
-            swaps: if thorough { 20_000 } else { 8_000 },
+            edits: if thorough { 20_000 } else { 4_000 },
+            swaps: if thorough { 20_000 } else { 4_000 },
         },
     },
     Family {

@@ -90,7 +90,7 @@ pub fn analytic(stress: &Stress) {
     let cases: Vec<_> = KERNELS.into_iter().flat_map(|k| RADII.map(|r| (k(r), regions(r)))).collect();
     let cases: Vec<_> =
         cases.iter().flat_map(|(kernel, both)| both.iter().map(move |r| (*kernel, r))).collect();
-    let seeds = if stress.tier().is_thorough() { 120 } else { 60 };
+    let seeds = if stress.tier().is_thorough() { 120 } else { 40 };
     let scores: Vec<_> =
         cases.par_iter().flat_map_iter(|(kernel, three)| scores(*kernel, three, seeds)).collect();
     let beyond: Vec<_> = scores.iter().filter(|(score, _)| *score > 3.0).collect();

@@ -46,7 +46,7 @@ fn geometry_agrees(stress: &Stress, name: &str, geometry: &Geometry, camera: &Ca
     let ray = |draw: &mut Draw| (scene_ray(draw, camera, geometry, &around), any_interval(draw, reach));
     // As many rays as keep the list's triangle tests to a number, within reason.
     let by_list = |tests: u64, least, most| (tests / size.max(1)).clamp(least, most);
-    let by_list = Trials::new(by_list(4_000_000, 400, 4_000), by_list(1_200_000_000, 100_000, FULL_RAYS));
+    let by_list = Trials::new(by_list(2_000_000, 200, 2_000), by_list(1_200_000_000, 100_000, FULL_RAYS));
     stress.run(format!("p10 {name}"), 1001, by_list, |draw| {
         let (ray, interval) = ray(draw);
         agree(&list, &others, &ray, interval)

@@ -35,7 +35,7 @@ pub fn special(stress: &Stress) {
     let list = List::new(&geometry);
     let others = structures(&geometry, &[[1, 1, 1], [2, 2, 2], [8, 4, 3]].map(|n| (n, Fit::Exact)));
     // No divisor of the numbers of combinations: the quick tier, too, has every number in every place.
-    let step = if stress.tier().is_thorough() { 1 } else { 3 };
+    let step = if stress.tier().is_thorough() { 1 } else { 5 };
     let rays = every(SPECIAL).flat_map(|d| every(LATTICE).map(move |o| Ray::new(o, d)));
     let rays: Vec<Ray> = rays.step_by(step).collect();
     let check = |ray: &Ray| -> Result<f64, String> {
