@@ -8,7 +8,7 @@
 
 use crate::collapse::boxes::Boxes;
 use crate::collapse::lattice::{Cells, Grid, Lattice};
-use crate::collapse::locate::{locate, nearest};
+use crate::collapse::locate::{locate, square};
 #[cfg(test)]
 use crate::collapse::looks::Least;
 use crate::collapse::looks::{Look, Looks};
@@ -135,9 +135,7 @@ impl Triangle {
     /// Squared distance to a point.
     #[inline(always)]
     pub(super) fn square(&self, p: DVec3) -> f64 {
-        let [a, b, c] = self.corners;
-        let [u, v, w] = nearest(p, a, b, c);
-        (a * u + b * v + c * w).distance_squared(p)
+        square(p, self.corners)
     }
 }
 

@@ -68,7 +68,7 @@ const QUICKLY: Finish = Finish { samples: 8, from: FEW, rounds: 1 };
 const NEVER: Finish = Finish { samples: 0, from: usize::MAX, rounds: 0 };
 
 /// Size of the cells in which one looks for what is against the original, in sides of its triangles.
-const CELL: f64 = 1.5;
+pub(super) const CELL: f64 = 1.5;
 
 struct Levels<'a, C: Cost> {
     prepared: &'a Prepared<'a>,

@@ -73,6 +73,13 @@ fn look_around(surface: &Surface, point: u32, p: DVec3, best: &mut (f64, Landing
     }
 }
 
+/// Squared distance from p to a triangle.
+#[inline(always)]
+pub(super) fn square(p: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
+    let [u, v, w] = nearest(p, a, b, c);
+    (a * u + b * v + c * w).distance_squared(p)
+}
+
 /// Weights of the corners a, b, c at the point of their triangle that is nearest to p: which of
 /// the corners, sides or the inside it belongs to is told by the signs of products (Ericson 2005,
 /// "Real-Time Collision Detection", 5.1.5). A triangle without area gives one of its points.

@@ -7,7 +7,7 @@
 
 use crate::collapse::against::middle;
 use crate::collapse::lattice::Grid;
-use crate::collapse::locate::{locate, nearest};
+use crate::collapse::locate::{locate, square};
 use crate::collapse::ring::is_no_worse;
 use crate::collapse::surface::{NONE, Surface, next, previous};
 use crate::collapse::witness::{Vicinity, Witness};
@@ -99,8 +99,12 @@ impl<'a> Mender<'a> {
         let points = surface.faces[face as usize].corners();
         let corners = points.map(|p| surface.at(p));
         let (middle, _) = middle(corners);
-        let farthest = locate(self.original, self.near[points[0] as usize], middle).0.sqrt();
-        self.witness.agrees(corners, farthest)
+        self.witness.agrees(corners, self.farthest(points[0], middle))
+    }
+
+    /// What the original is not farther than from the middle of a face at a point.
+    fn farthest(&self, point: u32, middle: DVec3) -> f64 {
+        locate(self.original, self.near[point as usize], middle).0.sqrt()
     }
 
     /// Of the least moves that help the one that is best for what is around.
@@ -144,8 +148,8 @@ impl<'a> Mender<'a> {
         let spoke = |h: u32| {
             let [p, q] = sides(surface, h);
             let (middle, _) = middle([from, p, q]);
-            let farthest = locate(self.original, self.near[point as usize], middle).0.sqrt();
-            Spoke { face: h >> 2, sides: [p, q], vicinity: Vicinity::of(middle, farthest) }
+            let vicinity = Vicinity::of(middle, self.farthest(point, middle));
+            Spoke { face: h >> 2, sides: [p, q], vicinity }
         };
         Corner { point, from, ways, spokes: surface.fan(point).map(spoke).collect() }
     }
@@ -218,15 +222,14 @@ fn sides(surface: &Surface, h: u32) -> [DVec3; 2] {
 /// The squared distances of samples from the faces around a point if that were elsewhere.
 /// What is far from all faces there does not count, as it is nearest to the rim, which stays.
 fn squares(samples: &[DVec3], surface: &Surface, point: u32, at: DVec3) -> Vec<f64> {
-    let square = |sample: &DVec3| {
+    let least = |sample: &DVec3| {
         let squares = surface.fan(point).map(|h| {
             let [p, q] = sides(surface, h);
-            let [u, v, w] = nearest(*sample, at, p, q);
-            (at * u + p * v + q * w).distance_squared(*sample)
+            square(*sample, [at, p, q])
         });
         squares.fold(f64::INFINITY, f64::min)
     };
-    samples.iter().map(square).collect()
+    samples.iter().map(least).collect()
 }
 
 /// Whether a face is not made a sliver when one of its corners moves; the others are p and q.

@@ -189,6 +189,7 @@ mod tests {
     use crate::collapse::against;
     use crate::collapse::build::build;
     use crate::collapse::lattice::Grid;
+    use crate::collapse::levels::CELL;
     use crate::collapse::melax::Curvature;
     use crate::collapse::memoryless::Memoryless;
     use common::math::Vec3;
@@ -216,7 +217,7 @@ mod tests {
         };
         let before = full(&run);
         run.until(count / 10);
-        let looking = against::bytes(&Grid::new(&built.surface, 1.5), run.surface.alive);
+        let looking = against::bytes(&Grid::new(&built.surface, CELL), run.surface.alive);
         let original = of_surface(&built.surface) + built.cut.capacity() + size_of_val(&places[..]);
         (before.max(full(&run)) + original + looking) as f64 / count as f64
     }

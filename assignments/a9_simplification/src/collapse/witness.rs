@@ -69,13 +69,18 @@ impl<'a> Witness<'a> {
         (0..self.original.faces.len() as u32).for_each(what);
     }
 
-    /// What is not farther than `reach` from a place, by how far it is.
-    fn within(&self, p: DVec3, reach: f64) -> Vec<(f64, Triangle)> {
+    /// Every face that meets a box, and others, by their numbers.
+    fn faces_near(&self, low: DVec3, high: DVec3) -> Vec<u32> {
         let mut found = Vec::new();
-        self.near(p - reach, p + reach, |face| found.push(face));
+        self.near(low, high, |face| found.push(face));
         found.sort_unstable();
         found.dedup();
-        let measured = found.into_iter().map(|face| {
+        found
+    }
+
+    /// What is not farther than `reach` from a place, by how far it is.
+    fn within(&self, p: DVec3, reach: f64) -> Vec<(f64, Triangle)> {
+        let measured = self.faces_near(p - reach, p + reach).into_iter().map(|face| {
             let triangle = Triangle::of(self.original, face);
             (triangle.square(p).sqrt(), triangle)
         });
@@ -102,17 +107,9 @@ impl<'a> Witness<'a> {
 
     /// Middles of the original's faces that are in a box, in the order of their numbers.
     pub(super) fn middles_within(&self, low: DVec3, high: DVec3) -> Vec<DVec3> {
-        let (mut found, mut seen) = (Vec::new(), vec![false; self.original.faces.len()]);
-        self.near(low, high, |face| {
-            if !std::mem::replace(&mut seen[face as usize], true) {
-                let (middle, _) = middle(Triangle::of(self.original, face).corners);
-                if middle.cmpge(low).all() && middle.cmple(high).all() {
-                    found.push((face, middle));
-                }
-            }
-        });
-        found.sort_unstable_by_key(|&(face, _)| face);
-        found.into_iter().map(|(_, middle)| middle).collect()
+        let faces = self.faces_near(low, high).into_iter();
+        let middles = faces.map(|face| middle(Triangle::of(self.original, face).corners).0);
+        middles.filter(|middle| middle.cmpge(low).all() && middle.cmple(high).all()).collect()
     }
 }
 

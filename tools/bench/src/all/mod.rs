@@ -24,7 +24,7 @@ use std::path::{Path, PathBuf};
 /// What to measure, and where to put it.
 #[derive(clap::Args)]
 pub struct Options {
-    /// Small meshes and few rounds: a look in less than two minutes; without it, an hour or more
+    /// Small meshes and few rounds: a look in less than two minutes; without it, some hours
     #[arg(long)]
     quick: bool,
     /// The folder for results.csv, figures and index.html

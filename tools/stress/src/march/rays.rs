@@ -36,25 +36,16 @@ fn check(cells: &Cells, ray: &Ray, forward: bool) -> Result<f64, String> {
 
 /// Random rays through up to 1024 cells an axis.
 pub fn random(stress: &Stress) {
-    let longest = stress.run(
-        "p11 march, random rays, up to 1024 cells an axis",
-        1101,
-        Trials::new(20_000, 1_000_000),
-        |draw| {
-            let cells = any_cells(draw, 1024);
+    let march = |most: u32, seed: u64, trials: Trials| {
+        let row = format!("p11 march, random rays, up to {most} cells an axis");
+        stress.run(row, seed, trials, |draw| {
+            let cells = any_cells(draw, most);
             random_ray(draw, &cells).and_then(|(ray, forward)| check(&cells, &ray, forward))
-        },
-    );
+        })
+    };
+    let longest = march(1024, 1101, Trials::new(20_000, 1_000_000));
     stress.expect("p11 cells of the longest way", longest, |longest| longest > 1000.0);
-    stress.run(
-        "p11 march, random rays, up to 40 cells an axis",
-        1102,
-        Trials::new(180_000, 9_000_000),
-        |draw| {
-            let cells = any_cells(draw, 40);
-            random_ray(draw, &cells).and_then(|(ray, forward)| check(&cells, &ray, forward))
-        },
-    );
+    march(40, 1102, Trials::new(180_000, 9_000_000));
 }
 
 fn random_ray(draw: &mut Draw, cells: &Cells) -> Result<(Ray, bool), String> {
