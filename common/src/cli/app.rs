@@ -1,5 +1,6 @@
 //! How a program ends: what it prints, and its exit code.
 
+use super::heap::keep_freed_memory;
 use super::output::complain;
 use std::error::Error;
 use std::fmt::Write;
@@ -60,6 +61,7 @@ fn with_causes(error: &dyn Error) -> String {
 /// Runs a program's main function, prints its error once, and turns it into the exit code:
 /// 0 done, 1 a check failed, 2 bad input or usage.
 pub fn run(main: impl FnOnce() -> Result<(), AppError>) -> ExitCode {
+    keep_freed_memory();
     match main() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

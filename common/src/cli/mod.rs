@@ -42,6 +42,7 @@
 mod app;
 mod dashes;
 mod general;
+mod heap;
 pub mod interrupt;
 mod numbers;
 mod output;

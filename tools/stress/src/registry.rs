@@ -85,6 +85,7 @@ macro_rules! all_properties {
             15 p15_analytic "what a filter covers has the analytic value" => pixels::analytic;
             15 p15_uniform "the same for the uniform pattern" => pixels::uniform;
             15 p15_weights "weights sum to one" => pixels::weights;
+            15 p15_board "errors on a board to the horizon fall as its edges let them" => pixels::board;
             15 p15_slopes "errors fall as fast as patterns promise" => pixels::slopes;
             16 p16_whitted "threads, tiles and structures change no bit" => determinism::whitted;
             16 p16_path "the same by path tracing, resumed or in part" => determinism::path;
