@@ -14,12 +14,12 @@ pub struct Ray {
     pub origin: Vec3,
     /// Change of position per unit of t.
     pub direction: Vec3,
-    /// Number of the triangle that it leaves; [`Ray::ANYWHERE`] if it leaves none.
+    /// Number of the primitive that it leaves; [`Ray::ANYWHERE`] if it leaves none.
     pub home: u32,
 }
 
 impl Ray {
-    /// The home of rays that leave no triangle.
+    /// The home of rays that leave nothing.
     pub const ANYWHERE: u32 = u32::MAX;
 
     /// A ray from its two vectors.
@@ -29,8 +29,9 @@ impl Ray {
     }
 
     /// The same for a ray that starts beside the primitive of this number and goes away from it. If
-    /// that is a triangle, the ray cannot hit it, and no structure asks it: it is so near that only
-    /// the test in double precision could tell. Any other primitive is asked like all.
+    /// that is flat (a triangle, a plane, a disc), the ray cannot hit it, and no structure asks it:
+    /// a triangle is so near that only the test in double precision could tell. A round one is asked
+    /// like all.
     #[inline]
     pub fn leaving(primitive: u32, origin: Vec3, direction: Vec3) -> Self {
         Self { origin, direction, home: primitive }

@@ -20,24 +20,40 @@ pub struct Asked<'a, 'w, L: Lamps> {
     pub counters: &'a mut Counters,
     /// The box of a closed body, if the surface is seen from inside one.
     pub body: Option<Bounds>,
+    /// Whether all light comes from outside that box, and none of it is looked at.
+    pub dark: bool,
     /// Whether the body stands before the light that was looked at last.
     pub blocked: bool,
 }
 
+/// Whether a point is outside a box.
+fn is_outside(p: Vec3, body: &Bounds) -> bool {
+    p.cmplt(body.min).any() || p.cmpgt(body.max).any()
+}
+
+/// Whether all lights are known to be outside the box of a body.
+pub fn all_outside(lamps: &impl Lamps, scene: &Scene, body: &Bounds) -> bool {
+    (0..lamps.looks(scene)).all(|index| match lamps.source(scene, index) {
+        Some(Source::Direction(_)) => true,
+        Some(Source::Point(position)) => is_outside(position.as_vec3(), body),
+        None => false,
+    })
+}
+
 /// Whether light comes to the inner side of a body's surface from outside its box.
 fn comes_through(source: &Source, surface: &Surface, body: &Bounds) -> bool {
-    let outside = |p: Vec3| p.cmplt(body.min).any() || p.cmpgt(body.max).any();
     let towards = match *source {
         Source::Direction(towards) => towards.as_vec3().as_dvec3(),
-        Source::Point(position) if outside(position.as_vec3()) => position - surface.point,
+        Source::Point(position) if is_outside(position.as_vec3(), body) => position - surface.point,
         Source::Point(_) => return false,
     };
     surface.geometric_normal.dot(towards) < 0.0
 }
 
 impl<L: Lamps> Lamps for Asked<'_, '_, L> {
+    #[inline(always)]
     fn looks(&self, scene: &Scene) -> usize {
-        self.lamps.looks(scene)
+        if self.dark { 0 } else { self.lamps.looks(scene) }
     }
 
     #[inline(always)]

@@ -6,13 +6,13 @@
 //! factor and the owner, the camera ray whose radiance it adds to.
 
 use crate::interface::{crossing, mirrored_direction, opaque_mirror, panes};
-use crate::shadow::{Asked, ShadowRays};
+use crate::shadow::{Asked, ShadowRays, all_outside};
 use crate::{RayKind, Recorder, Whitted};
 use a1_ray_casting::{Mixture, Sight};
 use a2_transforms::Lamps;
 use common::counters::Counters;
 use common::geometry::{Departure, Hit, Surface};
-use common::math::{DVec3, Interval, Vec3};
+use common::math::{Bounds, DVec3, Interval, Vec3};
 use common::ray::Ray;
 use common::scene::PhongMaterial;
 use common::simd::{self, Simd, dispatch};
@@ -110,6 +110,7 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
         let mut next =
             Generation { mirrored: Vec::with_capacity(2 * most), refracted: Vec::with_capacity(most) };
         let mut shadows = ShadowRays::new(whitted, most);
+        let mut seen: Option<(Bounds, bool)> = None;
         for (branch, hit) in branches.iter().zip(hits) {
             let id = self.recorder.ray(branch.parent, branch.kind, &branch.ray, *hit, branch.weight);
             let radiance = &mut self.radiances[branch.owner as usize];
@@ -133,7 +134,15 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
                 true => geometry.convex_body(surface.primitive),
                 false => None,
             };
-            let mut asked = Asked { whitted, lamps, counters: self.counters, body, blocked: false };
+            // No light comes from outside to the inner side of a closed body.
+            let dark = body.is_some_and(|body| match seen {
+                Some((before, dark)) if before == body => dark,
+                _ => seen.insert((body, all_outside(lamps, whitted.light.scene, &body))).1,
+            });
+            if dark {
+                self.counters.skipped_shadow_inside += lamps.looks(whitted.light.scene) as u64;
+            }
+            let mut asked = Asked { whitted, lamps, counters: self.counters, body, dark, blocked: false };
             let own = whitted.light.gather(
                 surface,
                 &mixture,

@@ -173,10 +173,19 @@ impl Geometry {
         if self.sheets.is_empty() {
             return None;
         }
-        counters.intersections += self.sheets.len() as u64;
         let exact = ExactRay::new(ray);
-        let hits = (0..self.sheets.len()).filter_map(|i| self.hit_sheet(i, &exact, interval));
+        let hits = self.sheets_before(ray).filter_map(|i| {
+            counters.intersections += 1;
+            self.hit_sheet(i, &exact, interval)
+        });
         hits.reduce(|best, hit| if hit.precedes(Some(&best)) { hit } else { best })
+    }
+
+    /// All planes and discs but the one that a ray leaves.
+    #[inline]
+    fn sheets_before(&self, ray: &Ray) -> impl Iterator<Item = usize> {
+        let home = ray.home;
+        (0..self.sheets.len()).filter(move |i| self.sheets[*i].primitive != home)
     }
 
     /// Whether any plane or disc is hit.
@@ -186,7 +195,7 @@ impl Geometry {
             return false;
         }
         let exact = ExactRay::new(ray);
-        (0..self.sheets.len()).any(|i| {
+        self.sheets_before(ray).any(|i| {
             counters.intersections += 1;
             self.hit_sheet(i, &exact, interval).is_some()
         })

@@ -11,6 +11,7 @@ use common::geometry::Geometry;
 use common::math::{Bounds, Vec3};
 use common::shape::triangle_block::{LANES, TriangleBlock};
 use rayon::prelude::*;
+use std::sync::OnceLock;
 
 /// Nodes over fewer items are built by one thread.
 const WORTH_A_THREAD: usize = 8192;
@@ -40,7 +41,9 @@ impl<'g> Bvh<'g> {
         let numbers = (0..solids.len() as u32).chain(0..triangles.len() as u32);
         let boxes = solids.iter().chain(&triangles);
         let items = boxes.zip(numbers).map(|(bounds, number)| Item::new(bounds, number)).collect();
-        Self::grow(geometry, items, (solids.len(), most), numbered)
+        // What is in it is not all of the scene, or not in the world.
+        let horizons = OnceLock::from(None);
+        Self { horizons, ..Self::grow(geometry, items, (solids.len(), most), numbered) }
     }
 
     /// Of the items so many are solids, which come first.
@@ -78,7 +81,8 @@ impl<'g> Bvh<'g> {
         let blocks = part.leaves.par_iter().with_min_len(256).map(pack).collect();
         order.truncate(solids);
         let solids = order;
-        Self { geometry, nodes: part.nodes, blocks, solids, bounds, depth: part.depth }
+        let horizons = OnceLock::new();
+        Self { geometry, nodes: part.nodes, blocks, solids, bounds, depth: part.depth, horizons }
     }
 }
 

@@ -12,6 +12,7 @@ mod bundle;
 mod collapse;
 mod crowd;
 mod frustum;
+mod horizon;
 pub(crate) mod packet;
 mod purpose;
 mod set;

@@ -4,7 +4,7 @@
 //! operations, so that side by side every ray gets the bits that it would get alone.
 
 use common::counters::Counters;
-use common::geometry::{Geometry, Hit};
+use common::geometry::{Geometry, Hit, Sheet};
 use common::math::{Interval, sum3};
 use common::ray::Ray;
 use common::shape::ExactRay;
@@ -22,14 +22,19 @@ struct Widened {
     direction: [Lanes; 3],
     /// Those that can hit anything at all.
     usable: [bool; RAYS],
+    /// What they leave.
+    home: [u32; RAYS],
 }
 
 impl Widened {
     /// One to eight rays; unused places hold rays that hit nothing.
     #[inline(always)]
     fn of(rays: &[Ray]) -> Self {
-        let mut wide = Self { origin: [[0.0; RAYS]; 3], direction: [[0.0; RAYS]; 3], usable: [false; RAYS] };
+        let nowhere = [[0.0; RAYS]; 3];
+        let mut wide =
+            Self { origin: nowhere, direction: nowhere, usable: [false; RAYS], home: [Ray::ANYWHERE; RAYS] };
         for (lane, ray) in rays.iter().enumerate().take(RAYS) {
+            wide.home[lane] = ray.home;
             for axis in 0..3 {
                 wide.origin[axis][lane] = f64::from(ray.origin[axis]);
                 wide.direction[axis][lane] = f64::from(ray.direction[axis]);
@@ -58,25 +63,38 @@ impl Widened {
         t
     }
 
+    /// Whether a ray may hit a sheet: whether it can hit anything, and leaves another.
+    #[inline(always)]
+    fn is_asked(&self, lane: usize, sheet: &Sheet) -> bool {
+        self.usable[lane] & (self.home[lane] != sheet.primitive)
+    }
+
     /// Where each ray meets one of the sheets inside an interval; NaN where it does not.
     #[inline(always)]
-    fn meet(&self, rays: &[Ray], geometry: &Geometry, sheet: usize, interval: Interval) -> [f32; RAYS] {
-        let plane = &geometry.sheets()[sheet].plane;
+    fn meet(&self, rays: &[Ray], geometry: &Geometry, index: usize, interval: Interval) -> [f32; RAYS] {
+        let sheet = &geometry.sheets()[index];
+        let plane = &sheet.plane;
         if plane.disc.is_some() {
             let mut t = [f32::NAN; RAYS];
-            for (t, ray) in t.iter_mut().zip(rays) {
-                let hit = geometry.hit_sheet(sheet, &ExactRay::new(ray), interval);
-                *t = hit.map_or(f32::NAN, |hit| hit.t);
+            for (lane, ray) in rays.iter().enumerate().filter(|(lane, _)| self.is_asked(*lane, sheet)) {
+                let hit = geometry.hit_sheet(index, &ExactRay::new(ray), interval);
+                t[lane] = hit.map_or(f32::NAN, |hit| hit.t);
             }
             return t;
         }
         let mut crossings = self.crossings(plane);
-        for (t, usable) in crossings.iter_mut().zip(self.usable) {
-            let counts = usable & (*t > interval.min) & (*t < interval.max);
+        for (lane, t) in crossings.iter_mut().enumerate() {
+            let counts = self.is_asked(lane, sheet) & (*t > interval.min) & (*t < interval.max);
             *t = if counts { *t } else { f32::NAN };
         }
         crossings
     }
+}
+
+/// Whether none of the rays can meet any plane or disc, as they all leave the only one there is.
+#[inline(always)]
+fn all_leave(sheets: &[Sheet], rays: &[Ray]) -> bool {
+    matches!(sheets, [only] if rays.iter().all(|ray| ray.home == only.primitive))
 }
 
 /// The first hit of each ray among planes and discs, as [`Geometry::nearest_sheet`] finds it.
@@ -93,11 +111,16 @@ pub fn nearest(
         return hits.fill(None);
     }
     for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
+        if all_leave(sheets, rays) {
+            hits.fill(None);
+            continue;
+        }
         let wide = Widened::of(rays);
         let (mut first, mut number) = ([f32::INFINITY; RAYS], [0; RAYS]);
         for (index, sheet) in sheets.iter().enumerate() {
             let t = wide.meet(rays, geometry, index, interval);
             for lane in 0..RAYS {
+                c.intersections += u64::from(wide.is_asked(lane, sheet));
                 // Sheets come in order of their numbers, so that an equal t changes nothing.
                 let nearer = t[lane] < first[lane];
                 first[lane] = if nearer { t[lane] } else { first[lane] };
@@ -107,7 +130,6 @@ pub fn nearest(
         for (lane, hit) in hits.iter_mut().enumerate() {
             let found = Hit { t: first[lane], primitive: number[lane], u: 0.0, v: 0.0 };
             *hit = (first[lane] < f32::INFINITY).then_some(found);
-            c.intersections += u64::from(wide.usable[lane]) * sheets.len() as u64;
         }
     }
 }
@@ -115,16 +137,21 @@ pub fn nearest(
 /// Whether each ray hits any plane or disc, as [`Geometry::any_sheet`] finds it.
 #[inline(always)]
 pub fn any(geometry: &Geometry, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
-    if geometry.sheets().is_empty() {
+    let sheets = geometry.sheets();
+    if sheets.is_empty() {
         return hit.fill(false);
     }
     for (rays, hit) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {
+        if all_leave(sheets, rays) {
+            hit.fill(false);
+            continue;
+        }
         let wide = Widened::of(rays);
         let mut blocked = [false; RAYS];
-        for index in 0..geometry.sheets().len() {
+        for (index, sheet) in sheets.iter().enumerate() {
             let t = wide.meet(rays, geometry, index, interval);
             for lane in 0..RAYS {
-                c.intersections += u64::from(wide.usable[lane] & !blocked[lane]);
+                c.intersections += u64::from(wide.is_asked(lane, sheet) & !blocked[lane]);
                 blocked[lane] |= !t[lane].is_nan();
             }
         }

@@ -1,9 +1,11 @@
 //! The wide tree: nodes of up to eight children, leaves of triangle blocks or solids.
 
+use super::horizon::Horizons;
 use common::geometry::Geometry;
 use common::math::Bounds;
 use common::shape::triangle_block::TriangleBlock;
 use common::simd::prefetch;
+use std::sync::OnceLock;
 
 /// Children of a node.
 pub const WIDTH: usize = 8;
@@ -95,6 +97,8 @@ pub struct Bvh<'g> {
     /// Around everything in it.
     pub(crate) bounds: Bounds,
     pub(super) depth: usize,
+    /// What rays that leave a triangle can still meet; worked out when the first of them comes.
+    pub(super) horizons: OnceLock<Option<Horizons>>,
 }
 
 /// Nodes of a tree of some 16 MiB.

@@ -85,9 +85,7 @@ pub fn board(stress: &Stress) {
                 Pattern::Random => found.iter().all(|&slope| near(slope, -0.5, 0.02)),
                 _ => {
                     let (slope, error) = found[2];
-                    near(found[0], -0.625, 0.02)
-                        && near(found[1], -0.5, 0.05)
-                        && slope + 3.0 * error <= -0.7
+                    near(found[0], -0.625, 0.02) && near(found[1], -0.5, 0.05) && slope + 3.0 * error <= -0.7
                 }
             };
             assert!(kept, "{text}");
