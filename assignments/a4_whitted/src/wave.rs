@@ -139,7 +139,8 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
                 Some((before, dark)) if before == body => dark,
                 _ => seen.insert((body, all_outside(lamps, whitted.light.scene, &body))).1,
             });
-            if dark {
+            // Without `shade_back` the inner side is black anyway.
+            if dark && whitted.light.shade_back {
                 self.counters.skipped_shadow_inside += lamps.looks(whitted.light.scene) as u64;
             }
             let mut asked = Asked { whitted, lamps, counters: self.counters, body, dark, blocked: false };
