@@ -5,7 +5,7 @@
 //! around what of each block lies in the leaf goes into a node of the hierarchy of eight boxes
 //! (see [`crate::bvh`]): one vector test says which blocks a ray may meet.
 
-use super::sah::leaf_cost;
+use super::sah::{UNBOXED, leaf_cost};
 use super::tree::{KdTree, LEAF, Node};
 use crate::bvh::wide::{self, Child, EMPTY_NODE, WIDTH, WideNode};
 use common::math::{Bounds, Vec3};
@@ -16,9 +16,6 @@ use std::ops::Range;
 const MIXED: u32 = 1 << 31;
 /// Its place is that of its first boxes; the rest of `data` is how many nodes of boxes it has.
 const BOXED: u32 = 1 << 30;
-
-/// Blocks that are asked without a look at their boxes, which would cost as much.
-const UNBOXED: usize = 2;
 
 /// What a leaf with solids holds. Else `data` has one of the bits above or is the number of
 /// blocks, the place being that of the first.

@@ -26,5 +26,5 @@ mod validate;
 
 pub(crate) use clip::halves;
 pub use rule::{MAX_DEPTH, Options, Rule};
-pub use sah::STEP;
+pub use sah::{MET, STEP};
 pub use tree::{KdTree, Node, Summary};

@@ -20,8 +20,9 @@ use common::simd::{self, Simd, dispatch};
 impl KdTree<'_> {
     /// The next leaf that the ray passes no later than `last`.
     ///
-    /// Not inlined, so that all that it works with stays in registers. Which of the children are
-    /// passed cannot be predicted, so no branch is made of it.
+    /// Not inlined, so that all that it works with stays in registers. A third of the branches on
+    /// which children are passed are mispredicted; yet without them every step waits for the one
+    /// before, which takes longer.
     #[inline(never)]
     fn next_leaf(&self, query: &Query, stack: &mut Stack, last: f64, c: &mut Counters) -> Option<Node> {
         let Waiting { enter, mut exit, node } = stack.pop(last)?;
