@@ -14,7 +14,7 @@ use common::geometry::Hit;
 use common::math::Interval;
 use common::ray::Ray;
 use common::shape::ExactRay;
-use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use common::simd::{Simd, SimdBase, SimdMask, f32x8};
 
 /// A ray, prepared for boxes and primitives.
 pub struct Asker<'q, S: Simd> {

@@ -14,8 +14,8 @@ use common::shape::triangle_block::TriangleBlock;
 /// A plane and the place of two children, or a leaf.
 ///
 /// `word` holds the axis in its low two bits and the place of the lower child above them, the
-/// upper child following. Else `data` holds the plane's `f32`; axis 3 marks a leaf, of which
-/// [`super::leaf`] knows more.
+/// upper child following. Else `data` holds the plane's `f32`; axis 3 marks a leaf, whose
+/// place and `data` say what it holds; see `leaf.rs`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Node {
     pub(super) data: u32,
