@@ -2,7 +2,7 @@
 
 use crate::bvh::Bvh;
 use crate::instances::Instances;
-use crate::kdtree::{KdTree, Options, STEP};
+use crate::kdtree::{KdTree, MET, Options, STEP};
 use crate::tracer::finite;
 use a5_grid::Grid;
 use common::accel::Accel;
@@ -72,7 +72,10 @@ pub fn of_tree(tree: &KdTree) -> Vec<String> {
         references(s.references, geometry),
         line(
             "expected cost of a ray (SAH)",
-            format!("{:.2} blocks of {LANES}; a plane costs {STEP}, a solid 1", s.cost),
+            format!(
+                "{:.2} blocks of {LANES}; a plane costs {STEP}, a solid 1, a block of many {MET}",
+                s.cost
+            ),
         ),
         size(tree.bytes(), geometry),
     ]

@@ -193,7 +193,7 @@ fn a6t1_memory_leaf_size_and_summary() {
     let tree = build(&geometry, Rule::Sah);
     let per_triangle = tree.bytes() as f64 / geometry.len() as f64;
     assert!(per_triangle <= 80.0, "{per_triangle} bytes per triangle");
-    let (s, leaf) = (tree.summary(), Some(64));
+    let (s, leaf) = (tree.summary(), Some(1024));
     assert_eq!(s.nodes, 2 * s.leaves - 1);
     assert!(s.references >= geometry.len() && s.empty < s.leaves);
     let coarse = KdTree::new(&geometry, Options { leaf, ..Options::default() });

@@ -6,7 +6,7 @@
 //! of eight triangles, as the list has them.
 
 mod aside;
-mod beam;
+pub(crate) mod beam;
 pub(crate) mod build;
 mod bundle;
 mod collapse;

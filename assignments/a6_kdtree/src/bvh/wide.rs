@@ -75,15 +75,21 @@ impl Child {
         (self.0 & INDEX) as usize
     }
 
+    /// Index of the block that it holds and how many of its triangles are in use.
+    #[inline(always)]
+    pub fn block_and_len(self) -> (usize, usize) {
+        let index = self.0 & INDEX;
+        ((index >> COUNT_BITS) as usize, index as usize & ((1 << COUNT_BITS) - 1))
+    }
+
     /// What it holds.
     #[inline(always)]
     pub fn held(self) -> Held {
-        let index = self.0 & INDEX;
-        let (first, count) = ((index >> COUNT_BITS) as usize, index as usize & ((1 << COUNT_BITS) - 1));
+        let (first, count) = self.block_and_len();
         match self.0 & !INDEX {
             BLOCK => Held::Block(first, count),
             SOLIDS => Held::Solids(first, count),
-            _ => Held::Node(index as usize),
+            _ => Held::Node(self.index()),
         }
     }
 }

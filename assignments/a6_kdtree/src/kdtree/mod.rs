@@ -6,12 +6,15 @@
 //! 2006): events are sorted once and kept sorted, triangles are clipped to the nodes. The few
 //! nodes of thousands choose among planes at equal distances, before anything is sorted.
 
+mod ask;
 mod build;
 mod clip;
 mod coarse;
 mod event;
+mod leaf;
 mod pile;
 mod plan;
+mod query;
 mod reference;
 mod rule;
 mod sah;
@@ -23,5 +26,5 @@ mod validate;
 
 pub(crate) use clip::halves;
 pub use rule::{MAX_DEPTH, Options, Rule};
-pub use sah::STEP;
+pub use sah::{MET, STEP};
 pub use tree::{KdTree, Node, Summary};

@@ -1,19 +1,28 @@
 //! The surface area heuristic: what a node would cost, split here or there or not at all.
 //!
 //! A ray that passes a box passes a convex part of it with a probability equal to the ratio of
-//! their surfaces (Goldsmith & Salmon 1987; MacDonald & Booth 1990). A step from a node to its
-//! children costs [`STEP`], asking a block of up to eight triangles costs 1, asking a solid as
-//! much.
+//! their surfaces (Goldsmith & Salmon 1987; MacDonald & Booth 1990). Asking a block of up to
+//! eight triangles costs 1, asking a solid about as much, a step from a node to its children
+//! [`STEP`]. A leaf of several blocks has boxes around them, so it costs one test of those and
+//! then [`MET`] for each block.
 
 use super::event::{Event, Kind};
 use super::sweep::{self, Line};
 use common::math::Bounds;
 use common::shape::triangle_block::LANES;
 
-/// Price of stepping through a node, in blocks of triangles. Measured on meshes of 40,000 and
-/// 200,000: from 1.1 to 1.6 rays are about equally fast (fewer tests against fewer steps), and
-/// the dearer the step the fewer copies of triangles: 85 bytes a triangle at 1.1, 77 at 1.6.
-pub const STEP: f32 = 1.5;
+/// Price of stepping through a node, in blocks of triangles: a third of a step is a wrong guess
+/// of the processor's, which costs as much as a block. Measured on meshes of 40,000 and a million:
+/// from 0.6 to 2 rays are about equally fast.
+pub const STEP: f32 = 1.2;
+
+/// Price of each block of a leaf that has several: how likely a ray is to meet its box, and its
+/// part in the test of the boxes. Measured with [`STEP`]: at 0.2 leaves hold 70 triangles and rays
+/// are a tenth slower, at 0.08 they hold 280, at 0.03 the boxes take more time than they save.
+pub const MET: f32 = 0.08;
+
+/// Blocks of a leaf that are asked without a look at their boxes, which would cost as much.
+pub const UNBOXED: usize = 2;
 
 /// What a split that cuts off empty space costs, as a share of what it would (Wald & Havran). At
 /// their 0.8 a ray passes a twentieth more nodes and a tenth fewer blocks, and is no faster.
@@ -25,24 +34,28 @@ pub fn half_area(bounds: &Bounds) -> f64 {
     s.x * s.y + s.y * s.z + s.z * s.x
 }
 
-/// How much one reference counts: lanes of a block. A solid counts as a whole block.
+/// How much one reference counts: lanes of a block. A solid has no box around it, and so counts
+/// as more than a block.
 #[inline]
 pub fn weight(solid: bool) -> u32 {
-    if solid { LANES as u32 } else { 1 }
+    if solid { 8 * LANES as u32 } else { 1 }
 }
 
-/// Price of asking everything in a leaf: half-empty blocks cost as much as full ones.
-#[inline]
-pub fn leaf_cost(weight: u32) -> f64 {
-    f64::from(weight.div_ceil(LANES as u32))
-}
-
-/// What a side of a plane is expected to cost: if it becomes a leaf, whole blocks, and if it is
-/// cut further, a share of them for each triangle; as neither is known, the mean of both.
+/// What asking a leaf of triangles costs; of a block that is not full, the mean between that and
+/// the share of it, for as long as it is not known whether the side of a plane will be a leaf.
 #[inline(always)]
 pub fn price(weight: u32) -> f32 {
-    let lanes = LANES as u32;
-    ((weight.wrapping_add(lanes - 1) / lanes) as i32 as f32 + weight as i32 as f32 / lanes as f32) / 2.0
+    let blocks = weight as i32 as f32 / LANES as f32;
+    let one = if weight == 0 { 0.0 } else { blocks * 0.5 + 0.5 };
+    let several = 1.0 + (blocks - 1.0) * MET;
+    if one < several { one } else { several }
+}
+
+/// What asking everything in a leaf costs: half-empty blocks cost as much as full ones.
+pub fn leaf_cost(triangles: usize, solids: usize) -> f64 {
+    let blocks = triangles.div_ceil(LANES);
+    let asked = if blocks <= UNBOXED { blocks as f64 } else { 1.0 + (blocks - 1) as f64 * f64::from(MET) };
+    asked + solids as f64
 }
 
 /// Whether so much is always left in one leaf: no step costs less.
@@ -189,7 +202,7 @@ mod tests {
         let split = cheapest_split(events.each_ref().map(Vec::as_slice), &bounds, 32).unwrap();
         assert_eq!((split.axis, split.at), (0, 1.0));
         // Hardly a ray meets the near half.
-        assert!(split.cost < f64::from(STEP) + 0.51 * leaf_cost(32));
+        assert!(split.cost < f64::from(STEP) + 1.02 * leaf_cost(16, 0));
     }
 
     #[test]
@@ -198,7 +211,7 @@ mod tests {
         let mut events = Events::default();
         (0..9).for_each(|i| event::push(&mut events, &bounds, true, i));
         events.iter_mut().for_each(|e| e.sort_unstable());
-        assert!(cheapest_split(events.each_ref().map(Vec::as_slice), &bounds, 72).is_none());
+        assert!(cheapest_split(events.each_ref().map(Vec::as_slice), &bounds, 9 * weight(true)).is_none());
     }
     /// Both ways of sweeping, and planes at equal distances, on boxes of which many begin and end
     /// at the same positions.

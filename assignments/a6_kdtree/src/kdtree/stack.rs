@@ -57,7 +57,7 @@ impl Stack {
     /// The next node that is entered no later than `last`.
     #[inline(always)]
     pub fn pop(&mut self, last: f64) -> Option<Waiting> {
-        while self.len > 0 || self.refill() {
+        while self.len > 0 || !self.spill.is_empty() && self.refill() {
             self.len -= 1;
             let entry = self.entries[self.len];
             if entry.enter <= last {

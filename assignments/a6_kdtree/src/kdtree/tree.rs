@@ -2,36 +2,28 @@
 
 use super::build;
 use super::clip::halves;
+use super::leaf::Mixed;
 use super::plan::{Next, PlanNode, Reader};
 use super::rule::Options;
-use super::sah::{self, half_area, leaf_cost};
+use super::sah::{self, half_area};
+use crate::bvh::wide::WideNode;
 use common::geometry::Geometry;
 use common::math::Bounds;
-use common::shape::triangle_block::{LANES, TriangleBlock};
-use std::ops::Range;
+use common::shape::triangle_block::TriangleBlock;
 
 /// A plane and the place of two children, or a leaf.
 ///
 /// `word` holds the axis in its low two bits and the place of the lower child above them, the
-/// upper child following; axis 3 marks a leaf, with the place of its first block there and the
-/// number of its blocks in `data`. A leaf that holds solids has `MIXED` set in `data` and
-/// names a `Mixed` instead. Else `data` holds the plane's `f32`.
+/// upper child following. Else `data` holds the plane's `f32`; axis 3 marks a leaf, whose
+/// place and `data` say what it holds; see `leaf.rs`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Node {
-    data: u32,
-    word: u32,
+    pub(super) data: u32,
+    pub(super) word: u32,
 }
 
 /// The axis that is none.
-const LEAF: u32 = 3;
-const MIXED: u32 = 1 << 31;
-
-/// What a leaf with solids holds.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mixed {
-    blocks: Range<u32>,
-    solids: Range<u32>,
-}
+pub(super) const LEAF: u32 = 3;
 
 impl Node {
     /// Whether it has no children.
@@ -52,7 +44,7 @@ impl Node {
         f32::from_bits(self.data)
     }
 
-    /// The place of its lower child; the upper one is the next.
+    /// The place of its lower child, the upper one is the next; of what a leaf holds.
     #[inline(always)]
     pub fn child(self) -> usize {
         (self.word >> 2) as usize
@@ -84,17 +76,19 @@ pub struct KdTree<'g> {
     pub(super) triangle_bounds: Bounds,
     pub(super) nodes: Vec<Node>,
     pub(super) blocks: Vec<TriangleBlock>,
+    /// Boxes around the blocks of leaves that have more than one.
+    pub(super) boxes: Vec<WideNode>,
     pub(super) solids: Vec<u32>,
     pub(super) mixed: Vec<Mixed>,
     pub(super) options: Options,
-    summary: Summary,
+    pub(super) summary: Summary,
 }
 
 impl<'g> KdTree<'g> {
     /// Builds the tree; the same whatever the number of threads.
     ///
     /// # Panics
-    /// If there are more than 2²⁹ finite primitives.
+    /// If there are more than 2²⁹ finite primitives, or leaves hold 2²⁶ blocks of triangles.
     pub fn new(geometry: &'g Geometry, options: Options) -> Self {
         let mut tree = Self {
             geometry,
@@ -102,6 +96,7 @@ impl<'g> KdTree<'g> {
             triangle_bounds: Bounds::of_points(geometry.triangles().iter().flatten().copied()),
             nodes: Vec::new(),
             blocks: Vec::new(),
+            boxes: Vec::new(),
             solids: Vec::new(),
             mixed: Vec::new(),
             options,
@@ -116,6 +111,7 @@ impl<'g> KdTree<'g> {
             tree.summary.nodes = tree.nodes.len();
             tree.nodes.shrink_to_fit();
             tree.blocks.shrink_to_fit();
+            tree.boxes.shrink_to_fit();
         }
         tree
     }
@@ -137,14 +133,14 @@ impl<'g> KdTree<'g> {
 
     /// How many primitives a leaf holds.
     pub fn held_by(&self, leaf: Node) -> usize {
-        let (blocks, solids) = self.held(leaf);
+        let (blocks, solids) = self.content(leaf);
         blocks.iter().map(|b| b.len()).sum::<usize>() + solids.len()
     }
 
     /// Bytes that it takes.
     pub fn bytes(&self) -> usize {
         let leaves = size_of_val(&*self.solids) + size_of_val(&*self.mixed);
-        size_of_val(&*self.nodes) + size_of_val(&*self.blocks) + leaves
+        size_of_val(&*self.nodes) + size_of_val(&*self.blocks) + size_of_val(&*self.boxes) + leaves
     }
 
     /// Figures for `-stats`.
@@ -159,7 +155,7 @@ impl<'g> KdTree<'g> {
         let share = if share.is_finite() { share } else { 1.0 };
         match plan.next() {
             Next::Leaf(primitives) => {
-                let node = self.leaf(primitives, share);
+                let node = self.leaf(primitives, inside, share);
                 self.nodes[place] = node;
                 self.summary.depth = self.summary.depth.max(depth);
             }
@@ -176,42 +172,9 @@ impl<'g> KdTree<'g> {
         }
     }
 
-    fn leaf(&mut self, primitives: &[u32], share: f64) -> Node {
-        let triangles = primitives.partition_point(|p| (*p as usize) < self.geometry.triangles().len());
-        let (triangles, solids) = primitives.split_at(triangles);
-        self.summary.leaves += 1;
-        self.summary.empty += usize::from(primitives.is_empty());
-        self.summary.references += primitives.len();
-        let weight = triangles.len() as u32 + solids.len() as u32 * sah::weight(true);
-        self.summary.cost += share * leaf_cost(weight);
-        let (first, geometry) = (self.blocks.len() as u32, self.geometry);
-        let numbered =
-            |i: &u32| (geometry.triangle_numbers()[*i as usize], geometry.triangles()[*i as usize]);
-        self.blocks.extend(triangles.chunks(LANES).map(|c| TriangleBlock::pack(c.iter().map(numbered))));
-        let blocks = first..self.blocks.len() as u32;
-        if solids.is_empty() {
-            return Node { data: blocks.len() as u32, word: first << 2 | LEAF };
-        }
-        let first_solid = self.solids.len() as u32;
-        self.solids.extend(solids.iter().map(|p| p - geometry.triangles().len() as u32));
-        self.mixed.push(Mixed { blocks, solids: first_solid..self.solids.len() as u32 });
-        Node { data: MIXED, word: (self.mixed.len() as u32 - 1) << 2 | LEAF }
-    }
-
-    /// What a leaf holds.
-    #[inline(always)]
-    pub(super) fn held(&self, leaf: Node) -> (&[TriangleBlock], &[u32]) {
-        let place = leaf.child();
-        if leaf.data & MIXED == 0 {
-            return (&self.blocks[place..place + leaf.data as usize], &[]);
-        }
-        let Mixed { blocks, solids } = &self.mixed[place];
-        let range = |r: &Range<u32>| r.start as usize..r.end as usize;
-        (&self.blocks[range(blocks)], &self.solids[range(solids)])
-    }
-
     /// All of the tree in text, to compare two builds.
     pub fn fingerprint(&self) -> String {
-        format!("{:?} {:?} {:?} {:?}", self.nodes, self.blocks, self.solids, self.mixed)
+        let (blocks, boxes) = (&self.blocks, &self.boxes);
+        format!("{:?} {blocks:?} {boxes:?} {:?} {:?}", self.nodes, self.solids, self.mixed)
     }
 }

@@ -31,7 +31,7 @@ impl KdTree<'_> {
                 surely_overlaps(&own, b, slack) && overlap.meets_box(b.min.as_dvec3(), b.max.as_dvec3())
             };
             let number = self.geometry.triangle_numbers()[i];
-            self.check_held(&own, must, |leaf| holds_triangle(self.held(leaf).0, number))
+            self.check_held(&own, must, |leaf| holds_triangle(self.content(leaf).0, number))
                 .map_err(|what| format!("triangle {i} {what}"))?;
         }
         for (i, solid) in self.geometry.solids().iter().enumerate() {
@@ -43,7 +43,7 @@ impl KdTree<'_> {
                 }
                 SolidShape::Ellipsoid(_) => surely_overlaps(&own, b, slack),
             };
-            self.check_held(&own, must, |leaf| self.held(leaf).1.binary_search(&(i as u32)).is_ok())
+            self.check_held(&own, must, |leaf| self.content(leaf).1.binary_search(&(i as u32)).is_ok())
                 .map_err(|what| format!("solid {i} {what}"))?;
         }
         Ok(())
@@ -73,7 +73,7 @@ impl KdTree<'_> {
                 waiting.extend([(node.child(), left, depth + 1), (node.child() + 1, right, depth + 1)]);
                 continue;
             }
-            let held = self.held(node);
+            let held = self.content(node);
             self.check_leaf(held).map_err(|what| format!("leaf {index} {what}"))?;
             (blocks, solids, leaves) = (blocks + held.0.len(), solids + held.1.len(), leaves + 1);
             references += held.0.iter().map(|b| b.len()).sum::<usize>() + held.1.len();
@@ -88,7 +88,7 @@ impl KdTree<'_> {
         }
     }
 
-    /// Its triangles and solids are ascending, so none is there twice, and are what they were.
+    /// Its triangles are what they were, none is there twice, and blocks and solids are in order.
     fn check_leaf(&self, (blocks, solids): (&[TriangleBlock], &[u32])) -> Result<(), String> {
         let lanes = || blocks.iter().flat_map(|b| (0..b.len()).map(move |l| (b, l)));
         for (block, lane) in lanes() {
@@ -98,10 +98,12 @@ impl KdTree<'_> {
             }
             return Err(format!("holds a changed triangle {}", block.index[lane]));
         }
-        let numbers: Vec<u32> = lanes().map(|(b, l)| b.index[l]).collect();
+        let mut numbers: Vec<u32> = lanes().map(|(b, l)| b.index[l]).collect();
         let ascending = |list: &[u32]| list.windows(2).all(|p| p[0] < p[1]);
+        let in_order = blocks.iter().all(|b| ascending(&b.index[..b.len()]));
+        numbers.sort_unstable();
         let known = solids.last().is_none_or(|i| (*i as usize) < self.geometry.solids().len());
-        match ascending(&numbers) && ascending(solids) && known {
+        match in_order && ascending(&numbers) && ascending(solids) && known {
             true => Ok(()),
             false => Err("is not in order".to_owned()),
         }
@@ -146,8 +148,7 @@ fn surely_overlaps(a: &Bounds, b: &Bounds, slack: f64) -> bool {
     (0..3).all(|k| if flat.test(k) { inside[k] > slack } else { high[k] - low[k] > slack })
 }
 
-/// Whether ascending blocks hold the triangle of that number.
+/// Whether blocks hold the triangle of that number.
 fn holds_triangle(blocks: &[TriangleBlock], number: u32) -> bool {
-    let block = blocks.partition_point(|b| b.index[0] <= number);
-    block > 0 && blocks[block - 1].index[..blocks[block - 1].len()].contains(&number)
+    blocks.iter().any(|block| block.index.contains(&number))
 }

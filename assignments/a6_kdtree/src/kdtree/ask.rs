@@ -1,0 +1,107 @@
+//! What one ray asks of leaves.
+
+use super::leaf::Held;
+use super::query::{Prepared, Query};
+use super::tree::KdTree;
+use crate::bvh::beam::Spread;
+use crate::bvh::packet::first_child;
+use crate::bvh::single::limit;
+use crate::bvh::walk::Way;
+use crate::bvh::wide::WideNode;
+use common::accel::Job;
+use common::counters::Counters;
+use common::geometry::Hit;
+use common::math::Interval;
+use common::ray::Ray;
+use common::shape::ExactRay;
+use common::simd::{Simd, SimdBase, SimdMask, f32x8};
+
+/// A ray, prepared for boxes and primitives.
+pub struct Asker<'q, S: Simd> {
+    simd: S,
+    job: Job<'q>,
+    exact: &'q ExactRay,
+    beam: Spread<S>,
+    margin: f32,
+}
+
+/// Children of a node of boxes that a ray may meet.
+struct Met<S: Simd> {
+    enter: f32x8<S>,
+    lanes: u32,
+}
+
+impl<'q, S: Simd> Asker<'q, S> {
+    /// Asks for a ray of which `query` was made.
+    #[inline(always)]
+    pub fn new(simd: S, ray: &'q Ray, interval: Interval, query: &'q Query) -> Self {
+        let Prepared { beam, filter, margin } = &query.prepared;
+        let job = Job { filter, ray, interval };
+        Self { simd, job, exact: &query.exact, beam: beam.spread(simd, interval.min), margin: *margin }
+    }
+
+    /// Puts the better of `best` and the first hit in a leaf into `best`. Hits later than `last`
+    /// do not matter; returns a new such bound.
+    #[inline(always)]
+    pub fn nearest(
+        &self,
+        tree: &KdTree,
+        held: Held,
+        mut last: f32,
+        best: &mut Option<Hit>,
+        c: &mut Counters,
+    ) -> f32 {
+        for block in held.blocks {
+            last = self.job.nearest_of(self.simd, block, block.len(), last, best, c);
+        }
+        for node in held.boxes {
+            let mut met = self.meet(node, last, c);
+            while let Some((block, len)) = self.next_block(node, &mut met) {
+                last = self.job.nearest_of(self.simd, &tree.blocks[block], len, last, best, c);
+                let until = f32x8::splat(self.simd, limit(last, self.margin));
+                met.lanes &= met.enter.simd_le(until).to_bitmask() as u32;
+            }
+        }
+        if !held.solids.is_empty() {
+            let solids = held.solids.iter().copied();
+            *best = tree.geometry.nearest_solid(solids, self.exact, self.job.interval, *best, c);
+            last = best.map_or(last, |b| b.t.min(last));
+        }
+        last
+    }
+
+    /// Whether anything in a leaf is hit.
+    #[inline(always)]
+    pub fn any(&self, tree: &KdTree, held: Held, c: &mut Counters) -> bool {
+        for node in held.boxes {
+            let mut met = self.meet(node, self.job.interval.max, c);
+            while let Some((block, len)) = self.next_block(node, &mut met) {
+                if self.job.any_of(self.simd, &tree.blocks[block], len, c) {
+                    return true;
+                }
+            }
+        }
+        let solids = held.solids.iter().copied();
+        self.job.any(self.simd, held.blocks, c)
+            || tree.geometry.any_solid(solids, self.exact, self.job.interval, c)
+    }
+
+    #[inline(always)]
+    fn meet(&self, node: &WideNode, last: f32, c: &mut Counters) -> Met<S> {
+        c.cells += 1;
+        let (enter, lanes) = self.beam.boxes(self.simd, node, limit(last, self.margin));
+        Met { enter, lanes }
+    }
+
+    /// Takes the nearest, by and large, of the blocks that are met: its place and how many of its
+    /// triangles are in use.
+    #[inline(always)]
+    fn next_block(&self, node: &WideNode, met: &mut Met<S>) -> Option<(usize, usize)> {
+        if met.lanes == 0 {
+            return None;
+        }
+        let child = first_child(met.lanes, node.axis, self.beam.backward());
+        met.lanes &= !(1 << child);
+        Some(node.child[child].block_and_len())
+    }
+}
