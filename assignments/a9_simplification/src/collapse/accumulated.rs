@@ -11,14 +11,12 @@
 
 use crate::collapse::banded::Banded;
 use crate::collapse::cost::{Cost, Merge, Offer, cheapest_by_form, without_bias};
+use crate::collapse::memoryless::{line, plane};
 use crate::collapse::quadric::Symmetric;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface};
 use common::math::DVec3;
 use common::simd::prefetch;
-
-/// How much the edge of a boundary counts, in terms of triangles of about its size.
-const BOUNDARY: f64 = 20.0;
 
 /// Share of the trace by which a minimum must be determined: well above the rounding of single precision.
 const LEAST_RANK: f64 = 1e-6;
@@ -28,8 +26,9 @@ const LEAST_RANK: f64 = 1e-6;
 #[derive(Clone, Copy, Default)]
 struct Quadric([f32; 10]);
 
-/// For every point the sum over all triangles that went into it of area times the squared
-/// distance to the plane.
+/// For every point the sum over all triangles that went into it of √area times the squared
+/// distance to the plane: the area itself gives a root mean square that is a few parts in a hundred less, and spots that
+/// are a quarter as far off again.
 #[derive(Clone)]
 pub(super) struct Accumulated {
     of: Vec<Quadric>,
@@ -92,9 +91,7 @@ impl Accumulated {
         for (i, face) in surface.faces.iter().enumerate().filter(|(_, face)| !face.is_gone()) {
             let corners = face.corners();
             let [a, b, c] = corners.map(|point| surface.at(point));
-            let normal = (b - a).cross(c - a);
-            let length = normal.length();
-            let plane = Symmetric::outer(normal, if length > 0.0 { 1.0 / length } else { 0.0 }).single();
+            let plane = plane((b - a).cross(c - a)).single();
             for point in corners {
                 self.of[point as usize].add(&plane);
             }
@@ -109,7 +106,7 @@ impl Accumulated {
     fn add_lines(&mut self, surface: &Surface, first: u32) {
         for h in (first..first + 3).filter(|&h| surface.twin(h) == NONE) {
             let (start, end) = (surface.start(h), surface.end(h));
-            let line = Symmetric::line(surface.at(end) - surface.at(start), BOUNDARY).single();
+            let line = line(surface.at(end) - surface.at(start)).single();
             self.of[start as usize].add(&line);
             self.of[end as usize].add(&line);
         }
