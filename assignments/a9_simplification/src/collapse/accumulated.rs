@@ -9,52 +9,72 @@
 //! Each is kept about the point that it belongs to, not about the origin: numbers stay small where
 //! distances are, and nothing cancels far from the origin.
 
-use crate::collapse::cost::{Cost, Merge, Offer, cheapest};
+use crate::collapse::banded::Banded;
+use crate::collapse::cost::{Cost, Merge, Offer, cheapest_by_form, without_bias};
+use crate::collapse::memoryless::{line, plane};
 use crate::collapse::quadric::Symmetric;
-use crate::collapse::queue::Queue;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface};
 use common::math::DVec3;
 use common::simd::prefetch;
 
-/// How much the edge of a boundary counts, in terms of triangles of about its size.
-const BOUNDARY: f64 = 20.0;
+/// Share of the trace by which a minimum must be determined: well above the rounding of single precision.
+const LEAST_RANK: f64 = 1e-6;
 
-/// yᵀ·A·y + 2·b·y + c for y relative to the point. Entries of A are as in [`Symmetric`], without
-/// its alignment, which would make half as much again of it.
+/// yᵀ·A·y + 2·b·y + c for y relative to the point: the entries of A as in [`Symmetric`], those of b, and c. In single
+/// precision, whose rounding is far below what the length of an edge counts, so that less memory is moved.
 #[derive(Clone, Copy, Default)]
-struct Quadric {
-    a: [f64; 6],
-    b: DVec3,
-    c: f64,
-}
+struct Quadric([f32; 10]);
 
-/// For every point the sum over all triangles that went into it of area times the squared
-/// distance to the plane.
+/// For every point the sum over all triangles that went into it of √area times the squared
+/// distance to the plane: the area itself gives a root mean square that is a few parts in a hundred less, and spots that
+/// are a quarter as far off again.
 #[derive(Clone)]
 pub(super) struct Accumulated {
     of: Vec<Quadric>,
 }
 
 impl Quadric {
+    fn new(Symmetric(a): Symmetric, b: DVec3, c: f64) -> Self {
+        let [xx, xy, xz, yy, yz, zz] = a.map(|entry| entry as f32);
+        let [x, y, z] = b.as_vec3().to_array();
+        Self([xx, xy, xz, yy, yz, zz, x, y, z, c as f32])
+    }
+
     #[inline(always)]
     fn a(&self) -> Symmetric {
-        Symmetric(self.a)
-    }
-
-    fn add(&mut self, plane_or_line: Symmetric) {
-        self.a = (self.a() + plane_or_line).0;
+        let [xx, xy, xz, yy, yz, zz, ..] = self.0;
+        Symmetric([xx, xy, xz, yy, yz, zz].map(f64::from))
     }
 
     #[inline(always)]
-    fn at(&self, y: DVec3) -> f64 {
-        // Not below zero but for rounding.
-        y.dot(self.a().times(y) + self.b * 2.0) + self.c
+    fn b(&self) -> DVec3 {
+        let [.., x, y, z, _] = self.0;
+        DVec3::new(x.into(), y.into(), z.into())
+    }
+
+    #[inline(always)]
+    fn c(&self) -> f64 {
+        self.0[9].into()
+    }
+
+    #[inline(always)]
+    fn plus(&self, other: &Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] + other.0[i]))
+    }
+
+    /// Adds to A.
+    #[inline(always)]
+    fn add(&mut self, plane_or_line: &[f32; 6]) {
+        self.0.iter_mut().zip(plane_or_line).for_each(|(sum, entry)| *sum += entry);
     }
 
     /// The same about a point that is `step` away.
     fn moved(&self, step: DVec3) -> Self {
-        Self { a: self.a, b: self.b + self.a().times(step), c: self.at(step).max(0.0) }
+        let (a, b) = (self.a(), self.b());
+        let across = a.times(step);
+        // Not below zero but for rounding.
+        Self::new(a, b + across, (step.dot(across + b * 2.0) + self.c()).max(0.0))
     }
 }
 
@@ -68,26 +88,44 @@ impl Accumulated {
 
     /// Adds the planes of the faces that are there.
     fn sum_up(&mut self, surface: &Surface) {
-        for i in (0..surface.faces.len() as u32).filter(|&i| surface.is_alive(i)) {
-            let normal = surface.normal(i as usize);
-            let length = normal.length();
-            let plane = Symmetric::outer(normal, if length > 0.0 { 1.0 / length } else { 0.0 });
-            for h in 4 * i..4 * i + 3 {
-                let point = surface.start(h);
-                self.of[point as usize].add(plane);
-                if surface.twin(h) == NONE {
-                    let end = surface.end(h);
-                    let line = Symmetric::line(surface.at(end) - surface.at(point), BOUNDARY);
-                    self.of[point as usize].add(line);
-                    self.of[end as usize].add(line);
-                }
+        for (i, face) in surface.faces.iter().enumerate().filter(|(_, face)| !face.is_gone()) {
+            let corners = face.corners();
+            let [a, b, c] = corners.map(|point| surface.at(point));
+            let plane = plane((b - a).cross(c - a)).single();
+            for point in corners {
+                self.of[point as usize].add(&plane);
             }
+            if face.is_at_boundary() {
+                self.add_lines(surface, 4 * i as u32);
+            }
+        }
+    }
+
+    /// Adds the lines along the boundary of a face, given by its first half-edge.
+    #[cold]
+    fn add_lines(&mut self, surface: &Surface, first: u32) {
+        for h in (first..first + 3).filter(|&h| surface.twin(h) == NONE) {
+            let (start, end) = (surface.start(h), surface.end(h));
+            let line = line(surface.at(end) - surface.at(start)).single();
+            self.of[start as usize].add(&line);
+            self.of[end as usize].add(&line);
         }
     }
 }
 
+impl Accumulated {
+    /// A, r and c as in [`cheapest_by_form`].
+    #[inline(always)]
+    fn form(&self, surface: &Surface, h: u32, edge: DVec3) -> (Symmetric, DVec3, f64) {
+        let [p, q] = [surface.start(h), surface.end(h)].map(|point| &self.of[point as usize]);
+        let across = q.a().times(edge);
+        let sum = p.plus(q);
+        (sum.a(), across - sum.b(), sum.c() + edge.dot(across - q.b() * 2.0))
+    }
+}
+
 impl Cost for Accumulated {
-    type Line = Queue;
+    type Line = Banded;
 
     const PATIENCE: u32 = 4;
 
@@ -98,9 +136,14 @@ impl Cost for Accumulated {
 
     #[inline(always)]
     fn price(&self, surface: &Surface, h: u32) -> Offer {
-        let [p, q] = [surface.start(h), surface.end(h)].map(|point| &self.of[point as usize]);
-        let form = |edge| (p.a() + q.a(), q.a().times(edge) - p.b - q.b);
-        cheapest(surface, h, form, |y, z| (p.at(y) + q.at(z)).max(0.0))
+        cheapest_by_form(surface, h, LEAST_RANK, |edge| self.form(surface, h, edge))
+    }
+
+    fn place(&self, surface: &Surface, h: u32, offer: &Offer) -> DVec3 {
+        let from = surface.at(surface.start(h));
+        let edge = surface.at(surface.end(h)) - from;
+        let (a, r, _) = self.form(surface, h, edge);
+        from + without_bias(a, r, edge, LEAST_RANK, offer.place - from)
     }
 
     fn forget(&mut self, surface: &Surface) {
@@ -117,6 +160,6 @@ impl Cost for Accumulated {
     fn merged(&mut self, _: &Surface, _: &Ring, merge: &Merge) {
         let [p, q] = [merge.kept, merge.gone].map(|point| self.of[point as usize]);
         let [p, q] = [p.moved(merge.place - merge.from[0]), q.moved(merge.place - merge.from[1])];
-        self.of[merge.kept as usize] = Quadric { a: (p.a() + q.a()).0, b: p.b + q.b, c: p.c + q.c };
+        self.of[merge.kept as usize] = p.plus(&q);
     }
 }

@@ -22,10 +22,10 @@ const REACHES: f64 = 1.5;
 /// A face of a surface: where and where to it looks.
 #[derive(Clone, Copy)]
 pub(super) struct Probe {
-    middle: DVec3,
+    pub middle: DVec3,
     pub normal: DVec3,
     /// What the original is not farther than.
-    reach: f64,
+    pub reach: f64,
 }
 
 /// The faces of a surface that may look against the original: few more than those that do. `near` tells for

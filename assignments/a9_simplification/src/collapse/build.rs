@@ -4,7 +4,7 @@
 //! anybody's neighbour; where several fans meet in one point, each gets a copy of the point. So
 //! everything becomes a surface with boundary, and the places where it was cut are held fast.
 
-use crate::collapse::surface::{Face, NONE, Point, Surface};
+use crate::collapse::surface::{Face, NONE, Point, Surface, previous};
 use common::math::{Bounds, Vec3};
 
 /// A surface and how it was cut.
@@ -17,11 +17,21 @@ pub(super) struct Built {
     pub cut: Vec<bool>,
 }
 
-/// Half-edges by the point that they leave: those of point p are `leaving[first[p]..first[p + 1]]`.
-struct Leaving {
+/// A corner of a triangle.
+#[derive(Clone, Copy, Default)]
+struct Corner {
+    /// The half-edge that leaves it.
+    leaves: u32,
+    /// The point where that ends.
+    end: u32,
+    /// The point where the half-edge starts that comes back.
+    start: u32,
+}
+
+/// Corners by their points: those of point p are `corners[first[p]..first[p + 1]]`.
+struct Around {
     first: Vec<u32>,
-    /// Half-edges and the points where they end.
-    leaving: Vec<(u32, u32)>,
+    corners: Vec<Corner>,
 }
 
 /// Builds the surface of triangles over points; no triangle has a point twice.
@@ -35,13 +45,36 @@ pub(super) fn build(places: &[Vec3], triangles: impl Iterator<Item = [u32; 3]>) 
         cut: vec![false; places.len()],
     };
     built.surface.remember_normals();
-    let leaving = Leaving::new(&built.surface);
-    built.pair_all(&leaving);
-    built.find_fans(&leaving);
+    let around = Around::new(&built.surface);
+    for point in built.join(&around) {
+        let corners = around.of(point);
+        if built.surface.fan(point).count() < corners.len() {
+            built.split(point, corners);
+        }
+    }
     built
 }
 
 impl Surface {
+    /// Pairs what leaves a point with what comes back, from corner to corner. Whether that leads once through all of
+    /// them: then no two share a side in the same direction.
+    #[inline(always)]
+    fn join_circle(&mut self, corners: &[Corner]) -> bool {
+        let first = corners[0];
+        let mut at = first;
+        for _ in 1..corners.len() {
+            match corners.iter().find(|next| next.end == at.start) {
+                Some(next) if next.leaves != first.leaves => {
+                    self.set_twin(next.leaves, previous(at.leaves));
+                    at = *next;
+                }
+                _ => return false,
+            }
+        }
+        self.set_twin(first.leaves, previous(at.leaves));
+        at.start == first.end
+    }
+
     fn remember_normals(&mut self) {
         for i in 0..self.faces.len() {
             let normal = self.normal(i);
@@ -56,7 +89,7 @@ fn scale_of(places: &[Vec3]) -> f64 {
     if size > 0.0 && size.is_finite() { (-size.log2().floor()).exp2() } else { 1.0 }
 }
 
-impl Leaving {
+impl Around {
     fn new(surface: &Surface) -> Self {
         let mut first = vec![0u32; surface.points.len() + 1];
         for corner in surface.faces.iter().flat_map(Face::corners) {
@@ -65,67 +98,66 @@ impl Leaving {
         for i in 1..first.len() {
             first[i] += first[i - 1];
         }
-        let mut leaving = vec![(0, 0); surface.faces.len() * 3];
+        let mut corners = vec![Corner::default(); surface.faces.len() * 3];
         let mut free = first.clone();
-        for (face, corners) in surface.faces.iter().map(Face::corners).enumerate() {
-            for i in 0..3 {
-                let slot = &mut free[corners[i] as usize];
-                leaving[*slot as usize] = (4 * face as u32 + i as u32, corners[(i + 1) % 3]);
+        for (face, [a, b, c]) in (0..).zip(surface.faces.iter().map(Face::corners)) {
+            for (i, [start, point, end]) in [[c, a, b], [a, b, c], [b, c, a]].into_iter().enumerate() {
+                let slot = &mut free[point as usize];
+                corners[*slot as usize] = Corner { leaves: 4 * face + i as u32, end, start };
                 *slot += 1;
             }
         }
-        Self { first, leaving }
+        Self { first, corners }
     }
 
-    fn of(&self, point: u32) -> &[(u32, u32)] {
+    fn of(&self, point: u32) -> &[Corner] {
         let point = point as usize;
-        &self.leaving[self.first[point] as usize..self.first[point + 1] as usize]
-    }
-
-    /// The half-edge from one point to another, and how many there are.
-    fn between(&self, from: u32, to: u32) -> (u32, usize) {
-        let found = self.of(from).iter().filter(|&&(_, end)| end == to);
-        found.fold((NONE, 0), |(_, count), &(h, _)| (h, count + 1))
+        &self.corners[self.first[point] as usize..self.first[point + 1] as usize]
     }
 }
 
 impl Built {
-    /// Pairs the half-edges of every edge that has one on each side.
-    fn pair_all(&mut self, leaving: &Leaving) {
-        for from in 0..self.surface.points.len() as u32 {
-            for &(h, to) in leaving.of(from) {
-                if self.surface.twin(h) != NONE {
-                    continue;
-                }
-                let (_, same) = leaving.between(from, to);
-                let (twin, opposite) = leaving.between(to, from);
-                if same > 1 || opposite > 1 {
-                    self.cut[from as usize] = true;
-                    self.cut[to as usize] = true;
-                } else if opposite == 1 {
-                    self.surface.pair(h, twin);
-                }
+    /// Pairs the half-edges of every edge that has one on each side, from each of its ends, and finds out by which to
+    /// leave a point. Returns the points that may have several fans.
+    fn join(&mut self, around: &Around) -> Vec<u32> {
+        let mut odd = Vec::new();
+        for point in 0..self.surface.points.len() as u32 {
+            let corners = around.of(point);
+            let Some(any) = corners.first() else { continue };
+            self.surface.points[point as usize].out = any.leaves;
+            if !self.surface.join_circle(corners) {
+                self.join_each(point, corners);
+                odd.push(point);
             }
         }
+        odd
     }
 
-    /// Gives every point its fan, and every further fan a copy of the point.
-    fn find_fans(&mut self, leaving: &Leaving) {
-        for point in 0..leaving.first.len() as u32 - 1 {
-            let around = leaving.of(point);
-            let Some(&(any, _)) = around.first() else { continue };
-            let open = around.iter().map(|&(h, _)| h).find(|&h| self.surface.twin(h) == NONE);
-            self.surface.points[point as usize].out = open.unwrap_or(any);
-            if self.surface.fan(point).count() < around.len() {
-                self.split(point, around);
+    /// Pairs what leaves a point if its corners are no circle.
+    #[cold]
+    fn join_each(&mut self, point: u32, corners: &[Corner]) {
+        let mut open = None;
+        for &Corner { leaves, end, .. } in corners {
+            let same = corners.iter().filter(|other| other.end == end).count();
+            let mut back = corners.iter().filter(|other| other.start == end);
+            let (twin, more) =
+                (back.next().map_or(NONE, |other| previous(other.leaves)), back.next().is_some());
+            let is_cut = same > 1 || more;
+            self.cut[point as usize] |= is_cut;
+            self.surface.set_twin(leaves, if is_cut { NONE } else { twin });
+            if is_cut || twin == NONE {
+                open = open.or(Some(leaves));
             }
+        }
+        if let Some(open) = open {
+            self.surface.points[point as usize].out = open;
         }
     }
 
     #[cold]
-    fn split(&mut self, point: u32, around: &[(u32, u32)]) {
+    fn split(&mut self, point: u32, corners: &[Corner]) {
         self.cut[point as usize] = true;
-        let mut left: Vec<u32> = around.iter().map(|&(h, _)| h).collect();
+        let mut left: Vec<u32> = corners.iter().map(|corner| corner.leaves).collect();
         let mut fan = point;
         loop {
             let done: Vec<u32> = self.surface.fan(fan).collect();

@@ -10,6 +10,9 @@ use common::math::DVec3;
 /// the middle of the edge decides. It is relative, so flat is flat at any scale.
 const LEAST_RANK: f64 = 1e-9;
 
+/// Square of how far a minimum may be drawn away by what decides where A does not tell, in lengths of the edge.
+const FAINT: f64 = 0.01;
+
 /// How much the squared length of the edge counts, so that on flat parts short edges come first.
 const SHAPE: f64 = 1e-5;
 
@@ -46,6 +49,11 @@ pub(super) trait Cost: Clone {
     /// The price of drawing the edge of a half-edge together.
     fn price(&self, surface: &Surface, h: u32) -> Offer;
 
+    /// Where the point is put if an offer is taken.
+    fn place(&self, _surface: &Surface, _h: u32, offer: &Offer) -> DVec3 {
+        offer.place
+    }
+
     /// Forgets what was there before, as if the surface had been so from the beginning.
     fn forget(&mut self, _surface: &Surface) {}
 
@@ -68,18 +76,46 @@ pub(super) fn cheapest(
 ) -> Offer {
     let from = surface.at(surface.start(h));
     let edge = surface.at(surface.end(h)) - from;
-    let (sum, right) = form(edge);
-    let (y, cost) = minimum(sum, right, edge, |y| error(y, y - edge));
-    Offer { cost: cost + SHAPE * sum.trace() * edge.length_squared(), place: from + y }
+    let (a, r) = form(edge);
+    let (y, cost) = minimum(a, r, edge, LEAST_RANK, |y| error(y, y - edge));
+    Offer { cost: cost + shape(&a, edge), place: from + y }
+}
+
+/// The same if `form` tells A, r and c, so that it costs yᵀ·A·y − 2·r·y + c to put the point at y, seen from the
+/// edge's start, and a minimum must be determined by `least_rank` of the trace. That is less to work out, but what is
+/// lost by cancellation must be less than what the length of the edge counts.
+#[inline(always)]
+pub(super) fn cheapest_by_form(
+    surface: &Surface,
+    h: u32,
+    least_rank: f64,
+    form: impl FnOnce(DVec3) -> (Symmetric, DVec3, f64),
+) -> Offer {
+    let from = surface.at(surface.start(h));
+    let edge = surface.at(surface.end(h)) - from;
+    let (a, r, c) = form(edge);
+    let (y, cost) = minimum(a, r, edge, least_rank, |y| y.dot(a.times(y) - r * 2.0) + c);
+    Offer { cost: cost + shape(&a, edge), place: from + y }
+}
+
+#[inline(always)]
+fn shape(a: &Symmetric, edge: DVec3) -> f64 {
+    SHAPE * a.trace() * edge.length_squared()
 }
 
 /// Where yᵀ·A·y − 2·r·y is least, relative to the start of an edge, and what `error` is there. In
 /// directions in which A does not tell, the middle of the edge is taken; if the minimum is far
 /// from the edge, the best of its ends and its middle.
 #[inline(always)]
-fn minimum(a: Symmetric, r: DVec3, edge: DVec3, error: impl Fn(DVec3) -> f64) -> (DVec3, f64) {
+fn minimum(
+    a: Symmetric,
+    r: DVec3,
+    edge: DVec3,
+    least_rank: f64,
+    error: impl Fn(DVec3) -> f64,
+) -> (DVec3, f64) {
     let mut regular = a;
-    let weight = LEAST_RANK * a.trace();
+    let weight = least_rank * a.trace();
     regular.add_diagonal(weight);
     let y = regular.solve(r + edge * (0.5 * weight));
     let far = 4.0 * edge.length_squared();
@@ -88,6 +124,16 @@ fn minimum(a: Symmetric, r: DVec3, edge: DVec3, error: impl Fn(DVec3) -> f64) ->
         return (y, error(y));
     }
     on_edge(edge, error)
+}
+
+/// The place of an offer, seen from the start of the edge, without what has drawn it to the edge's middle where A does
+/// tell.
+pub(super) fn without_bias(a: Symmetric, r: DVec3, edge: DVec3, least_rank: f64, y: DVec3) -> DVec3 {
+    let mut regular = a;
+    regular.add_diagonal(least_rank * a.trace());
+    let step = regular.solve(r - a.times(y));
+    // Also false if there was no solution; farther away is what is no minimum.
+    if step.length_squared() < FAINT * edge.length_squared() { y + step } else { y }
 }
 
 #[cold]
@@ -101,7 +147,7 @@ mod tests {
     use super::*;
 
     fn best(a: Symmetric, b: Symmetric, edge: DVec3) -> (DVec3, f64) {
-        minimum(a + b, b.times(edge), edge, |y| a.square(y) + b.square(y - edge))
+        minimum(a + b, b.times(edge), edge, LEAST_RANK, |y| a.square(y) + b.square(y - edge))
     }
 
     fn planes(normals: &[DVec3]) -> Symmetric {

@@ -62,7 +62,7 @@ impl Line for Heap {
         self.entries.push(Reverse((turn, entry, *stamp)));
     }
 
-    fn pop(&mut self) -> Option<(u32, Price)> {
+    fn pop(&mut self, _: usize) -> Option<(u32, Price)> {
         loop {
             let Reverse((price, entry, stamp)) = self.entries.pop()?;
             if stamp == self.stamps[entry as usize] {
@@ -92,7 +92,7 @@ mod tests {
             heap.push(entry, Price(cost));
         }
         heap.renew(1, None, Price(0.0), || 4.0);
-        let order: Vec<u32> = std::iter::from_fn(|| heap.pop()).map(|(entry, _)| entry).collect();
+        let order: Vec<u32> = std::iter::from_fn(|| heap.pop(0)).map(|(entry, _)| entry).collect();
         assert_eq!(order, [0, 1, 2]);
     }
 }

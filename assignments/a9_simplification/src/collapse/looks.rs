@@ -58,3 +58,64 @@ impl Looks {
         sum > LOST
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collapse::surface::Face;
+    use common::math::DVec3;
+
+    /// Directions in all octants, and along axes and diagonals.
+    fn directions() -> Vec<DVec3> {
+        let axis = |i: i32| f64::from(i % 7 - 3) + 0.1 * f64::from(i % 3);
+        let lattice = (0..343).map(|i| DVec3::new(axis(i), axis(i / 7), axis(i / 49)));
+        lattice.chain([DVec3::X, DVec3::NEG_Y, DVec3::ONE]).filter(|way| way.length() > 0.0).collect()
+    }
+
+    fn look(way: DVec3) -> Look {
+        let mut face = Face::new([0, 1, 2]);
+        face.remember(way);
+        Look::of(face.look())
+    }
+
+    /// Whether all of some probes at one place, with these normals, are known to be along a direction.
+    fn are_along(normals: &[DVec3], way: DVec3) -> bool {
+        let lattice = Lattice::new(DVec3::ZERO, 1.0, 64);
+        let probe = |&normal: &DVec3| Probe { middle: DVec3::splat(2.5), normal, reach: 0.1 };
+        let probes: Vec<Probe> = normals.iter().map(probe).collect();
+        let looks = Looks::new(lattice, &probes);
+        let mut all = true;
+        lattice.each(&probes[0].cells(&lattice), |slot| all &= looks.all_along(slot, &look(way)));
+        all
+    }
+
+    /// What is said of a normal must be true, and be said unless it is nearly at a right angle.
+    #[test]
+    fn a_normal_is_along_what_it_makes_less_than_a_right_angle_with() {
+        for normal in directions() {
+            for way in directions() {
+                let cosine = normal.normalize().dot(way.normalize());
+                let told = are_along(&[normal * 1e-9], way);
+                assert!(!told || cosine > 0.0, "{normal} {way}");
+                assert!(told || cosine < 0.02, "{normal} {way}");
+            }
+        }
+    }
+
+    #[test]
+    fn one_that_looks_elsewhere_is_enough() {
+        let most = [DVec3::Z, DVec3::new(0.3, 0.0, 1.0), DVec3::new(0.0, -0.4, 1.0)];
+        assert!(are_along(&most, DVec3::new(0.1, 0.2, 1.0)));
+        for other in [DVec3::NEG_Z, DVec3::X - DVec3::Z, DVec3::ZERO, DVec3::NAN] {
+            let [a, b, c] = most;
+            assert!(!are_along(&[a, b, other, c], DVec3::new(0.1, 0.2, 1.0)), "{other}");
+        }
+    }
+
+    #[test]
+    fn where_nothing_is_nothing_looks_elsewhere() {
+        let lattice = Lattice::new(DVec3::ZERO, 1.0, 64);
+        let looks = Looks::new(lattice, &[]);
+        assert!((0..lattice.slots()).all(|slot| looks.all_along(slot, &look(DVec3::NEG_ONE))));
+    }
+}

@@ -27,7 +27,7 @@ pub(super) struct Memoryless {
 
 /// √area·n·nᵀ for a normal as long as twice the area, up to a factor.
 #[inline(always)]
-fn plane(normal: DVec3) -> Symmetric {
+pub(super) fn plane(normal: DVec3) -> Symmetric {
     let length2 = normal.length_squared();
     // Of normals whose square underflows nothing is left to count.
     let root = length2.sqrt().sqrt();
@@ -35,7 +35,7 @@ fn plane(normal: DVec3) -> Symmetric {
 }
 
 /// The same for the edge of a boundary: length times the squared distance to its line.
-fn line(edge: DVec3) -> Symmetric {
+pub(super) fn line(edge: DVec3) -> Symmetric {
     let length = edge.length();
     Symmetric::line(edge, if length > 0.0 { BOUNDARY / length } else { 0.0 })
 }

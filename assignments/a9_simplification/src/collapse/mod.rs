@@ -6,6 +6,7 @@
 
 mod accumulated;
 mod against;
+mod banded;
 mod boxes;
 mod build;
 mod cells;

@@ -24,6 +24,12 @@ impl Symmetric {
         sum
     }
 
+    /// In single precision.
+    #[inline(always)]
+    pub(super) fn single(&self) -> [f32; 6] {
+        self.0.map(|entry| entry as f32)
+    }
+
     /// Times a vector.
     #[inline(always)]
     pub(super) fn times(&self, v: DVec3) -> DVec3 {

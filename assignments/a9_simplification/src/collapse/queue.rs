@@ -24,8 +24,8 @@ pub(super) trait Line: Clone {
     /// Puts in an entry that is not there.
     fn push(&mut self, entry: u32, turn: Self::Turn);
 
-    /// Takes out the next one.
-    fn pop(&mut self) -> Option<(u32, Self::Turn)>;
+    /// Takes out the next one. The order does not matter among so many as are the `steps` to the goal.
+    fn pop(&mut self, steps: usize) -> Option<(u32, Self::Turn)>;
 
     /// What will be popped `further` entries on, if that is known already.
     fn ahead(&self, _further: usize) -> Option<u32> {
@@ -50,20 +50,29 @@ const DRAWERS: usize = 255 << FINENESS;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Drawer(u32);
 
+/// Entries in drawers.
+#[derive(Clone)]
+pub(super) struct Drawers {
+    entries: Vec<Vec<u32>>,
+    /// All before this are empty.
+    lowest: usize,
+}
+
 /// Entries are numbers below a limit, each at most once in the queue.
 #[derive(Clone)]
 pub(super) struct Queue {
-    drawers: Vec<Vec<u32>>,
+    drawers: Drawers,
     queued: Vec<bool>,
     /// The drawer that is being emptied, its entries, and how many of them are out.
     open: Drawer,
     entries: Vec<u32>,
     out: usize,
-    /// All drawers before this are empty, but for the open one.
-    lowest: usize,
 }
 
 impl Drawer {
+    /// That of what is not a number.
+    pub(super) const LAST: Self = Self(DRAWERS as u32 - 1);
+
     /// So many drawers further on.
     #[inline(always)]
     fn dearer(self, by: u32) -> Self {
@@ -72,10 +81,53 @@ impl Drawer {
 
     /// The drawer for a cost; what is not a number goes to the last.
     #[inline(always)]
-    fn of(cost: f64) -> Self {
+    pub(super) fn of(cost: f64) -> Self {
         // The last octave holds infinities and NaN.
         let bits = (cost.max(0.0) as f32).to_bits() >> (23 - FINENESS);
-        Self(if cost.is_nan() { DRAWERS as u32 - 1 } else { bits.min(DRAWERS as u32 - 1) })
+        if cost.is_nan() { Self::LAST } else { Self(bits).min(Self::LAST) }
+    }
+}
+
+impl Default for Drawers {
+    fn default() -> Self {
+        Self { entries: vec![Vec::new(); DRAWERS], lowest: DRAWERS }
+    }
+}
+
+impl Drawers {
+    /// At the end of a drawer.
+    #[inline(always)]
+    pub(super) fn put(&mut self, entry: u32, drawer: Drawer) {
+        let drawer = drawer.0 as usize;
+        self.entries[drawer].push(entry);
+        self.lowest = self.lowest.min(drawer);
+    }
+
+    /// The cheapest that is not empty and not after `last`.
+    pub(super) fn cheapest(&mut self, last: Drawer) -> Option<Drawer> {
+        while self.lowest <= last.0 as usize {
+            if !self.entries[self.lowest].is_empty() {
+                return Some(Drawer(self.lowest as u32));
+            }
+            self.lowest += 1;
+        }
+        None
+    }
+
+    /// How many entries there are in a drawer.
+    pub(super) fn count(&self, drawer: Drawer) -> usize {
+        self.entries[drawer.0 as usize].len()
+    }
+
+    /// Takes all entries out of a drawer.
+    pub(super) fn empty(&mut self, drawer: Drawer) -> impl Iterator<Item = u32> {
+        std::mem::take(&mut self.entries[drawer.0 as usize]).into_iter()
+    }
+
+    #[cfg(test)]
+    pub(super) fn bytes(&self) -> usize {
+        let entries: usize = self.entries.iter().map(Vec::capacity).sum();
+        entries * size_of::<u32>() + self.entries.capacity() * size_of::<Vec<u32>>()
     }
 }
 
@@ -84,12 +136,11 @@ impl Line for Queue {
 
     fn new(limit: usize) -> Self {
         Self {
-            drawers: vec![Vec::new(); DRAWERS],
+            drawers: Drawers::default(),
             queued: vec![false; limit],
             open: Drawer(0),
             entries: Vec::new(),
             out: 0,
-            lowest: DRAWERS,
         }
     }
 
@@ -106,22 +157,14 @@ impl Line for Queue {
     /// At the end of a drawer.
     #[inline(always)]
     fn push(&mut self, entry: u32, drawer: Drawer) {
-        let drawer = drawer.0 as usize;
         self.queued[entry as usize] = true;
-        self.drawers[drawer].push(entry);
-        self.lowest = self.lowest.min(drawer);
+        self.drawers.put(entry, drawer);
     }
 
     /// The next entry of the cheapest drawer.
     #[inline(always)]
-    fn pop(&mut self) -> Option<(u32, Drawer)> {
-        if self.out == self.entries.len() {
-            self.open_next()?;
-        }
-        let entry = self.entries[self.out];
-        self.out += 1;
-        self.queued[entry as usize] = false;
-        Some((entry, self.open))
+    fn pop(&mut self, _: usize) -> Option<(u32, Drawer)> {
+        self.pop_until(Drawer::LAST)
     }
 
     #[inline(always)]
@@ -139,9 +182,7 @@ impl Line for Queue {
 
     #[cfg(test)]
     fn bytes(&self) -> usize {
-        let entries: usize = self.drawers.iter().map(Vec::capacity).sum();
-        let rows = self.drawers.capacity() * size_of::<Vec<u32>>();
-        (entries + self.entries.capacity()) * size_of::<u32>() + rows + self.queued.capacity()
+        self.drawers.bytes() + self.entries.capacity() * size_of::<u32>() + self.queued.capacity()
     }
 }
 
@@ -152,14 +193,34 @@ impl Queue {
         self.queued[entry as usize]
     }
 
-    fn open_next(&mut self) -> Option<()> {
+    /// What entries are below.
+    pub(super) fn limit(&self) -> usize {
+        self.queued.len()
+    }
+
+    /// Takes an entry for queued that is going to be pushed.
+    #[inline(always)]
+    pub(super) fn expect(&mut self, entry: u32) {
+        self.queued[entry as usize] = true;
+    }
+
+    /// The next entry, if that is in no drawer after `last`.
+    #[inline(always)]
+    pub(super) fn pop_until(&mut self, last: Drawer) -> Option<(u32, Drawer)> {
+        if self.out == self.entries.len() {
+            self.open_next(last)?;
+        }
+        let entry = self.entries[self.out];
+        self.out += 1;
+        self.queued[entry as usize] = false;
+        Some((entry, self.open))
+    }
+
+    fn open_next(&mut self, last: Drawer) -> Option<()> {
         self.out = 0;
         self.entries.clear();
-        while self.drawers.get(self.lowest)?.is_empty() {
-            self.lowest += 1;
-        }
-        self.open = Drawer(self.lowest as u32);
-        std::mem::swap(&mut self.entries, &mut self.drawers[self.lowest]);
+        self.open = self.drawers.cheapest(last)?;
+        std::mem::swap(&mut self.entries, &mut self.drawers.entries[self.open.0 as usize]);
         Some(())
     }
 }
@@ -174,7 +235,7 @@ mod tests {
         let mut queue = Queue::new(costs.len());
         costs.iter().enumerate().for_each(|(entry, &cost)| queue.push(entry as u32, Drawer::of(cost)));
         let mut order = Vec::new();
-        while let Some((entry, drawer)) = queue.pop() {
+        while let Some((entry, drawer)) = queue.pop(0) {
             assert_eq!(drawer, Drawer::of(costs[entry as usize]));
             assert!(!queue.contains(entry));
             order.push(entry);
@@ -187,11 +248,11 @@ mod tests {
         let mut queue = Queue::new(3);
         queue.push(0, Drawer::of(1.0));
         queue.push(1, Drawer::of(2.0));
-        assert_eq!(queue.pop().map(|popped| popped.0), Some(0));
+        assert_eq!(queue.pop(0).map(|popped| popped.0), Some(0));
         queue.push(2, Drawer::of(0.25));
-        assert_eq!(queue.pop().map(|popped| popped.0), Some(2));
-        assert_eq!(queue.pop().map(|popped| popped.0), Some(1));
-        assert_eq!(queue.pop(), None);
+        assert_eq!(queue.pop(0).map(|popped| popped.0), Some(2));
+        assert_eq!(queue.pop(0).map(|popped| popped.0), Some(1));
+        assert_eq!(queue.pop(0), None);
     }
 
     #[test]

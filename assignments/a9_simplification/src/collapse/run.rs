@@ -71,7 +71,8 @@ impl<C: Cost> Run<C> {
     /// Goes on until at most `target` faces are left; false if no step is left before.
     pub(super) fn until(&mut self, target: usize) -> bool {
         while self.surface.alive > target {
-            let Some((h, turn)) = self.queue.pop() else { return false };
+            let steps = self.steps_until(target);
+            let Some((h, turn)) = self.queue.pop(steps) else { return false };
             self.look_ahead();
             if self.surface.alive <= self.forget_at {
                 self.cost.forget(&self.surface);
@@ -89,6 +90,12 @@ impl<C: Cost> Run<C> {
             }
         }
         true
+    }
+
+    /// How many steps there are to so many faces, or to when it is time to forget.
+    #[inline(always)]
+    fn steps_until(&self, target: usize) -> usize {
+        self.surface.alive.saturating_sub(target.max(self.forget_at)) / 2
     }
 
     /// The original point that a point stands for.
@@ -120,7 +127,7 @@ impl<C: Cost> Run<C> {
         }
         let from = ends.map(|end| surface.at(end));
         let place = match self.wedges.as_ref().map_or(Where::Anywhere, |wedges| wedges.place(surface, h)) {
-            Where::Anywhere => surface.round(offer.place),
+            Where::Anywhere => surface.round(self.cost.place(surface, h, offer)),
             Where::Start => surface.points[ends[0] as usize].at,
             Where::End => surface.points[ends[1] as usize].at,
             Where::Nowhere => return,

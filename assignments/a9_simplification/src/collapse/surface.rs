@@ -86,7 +86,20 @@ impl Face {
         self.twin = [half_edge(a), half_edge(b), half_edge(c), looked];
     }
 
+    /// Whether it was removed.
+    #[inline(always)]
+    pub(super) fn is_gone(&self) -> bool {
+        self.vertex[3] == NONE
+    }
+
+    /// Whether one of its sides has no twin.
+    #[inline(always)]
+    pub(super) fn is_at_boundary(&self) -> bool {
+        self.twin[..3].contains(&NONE)
+    }
+
     /// Its corners.
+    #[inline(always)]
     pub(super) fn corners(&self) -> [u32; 3] {
         [self.vertex[0], self.vertex[1], self.vertex[2]]
     }
@@ -115,17 +128,23 @@ impl Surface {
         self.faces[(h >> 2) as usize].vertex[(h & 3) as usize] = point;
     }
 
+    /// Tells one half-edge who its twin is.
+    #[inline(always)]
+    pub(super) fn set_twin(&mut self, h: u32, twin: u32) {
+        self.faces[(h >> 2) as usize].twin[(h & 3) as usize] = twin;
+    }
+
     /// Makes two half-edges each other's twin; either may be [`NONE`].
     pub(super) fn pair(&mut self, h: u32, t: u32) {
         for (one, other) in [(h, t), (t, h)] {
             if one != NONE {
-                self.faces[(one >> 2) as usize].twin[(one & 3) as usize] = other;
+                self.set_twin(one, other);
             }
         }
     }
 
     pub(super) fn is_alive(&self, face: u32) -> bool {
-        self.faces[face as usize].vertex[3] != NONE
+        !self.faces[face as usize].is_gone()
     }
 
     pub(super) fn kill(&mut self, face: u32) {
