@@ -5,6 +5,7 @@ use super::MAX_DEPTH;
 use super::clip::halves;
 use super::reference::padded;
 use super::tree::{KdTree, Node};
+use crate::bvh::wide::Held;
 use a5_grid::overlap::{TriangleOverlap, sphere_meets_box};
 use common::geometry::SolidShape;
 use common::math::{Bounds, Vec3};
@@ -74,7 +75,8 @@ impl KdTree<'_> {
                 continue;
             }
             let held = self.content(node);
-            self.check_leaf(held).map_err(|what| format!("leaf {index} {what}"))?;
+            let checked = self.check_leaf(held).and_then(|()| self.check_boxes(node, &inside));
+            checked.map_err(|what| format!("leaf {index} {what}"))?;
             (blocks, solids, leaves) = (blocks + held.0.len(), solids + held.1.len(), leaves + 1);
             references += held.0.iter().map(|b| b.len()).sum::<usize>() + held.1.len();
         }
@@ -107,6 +109,29 @@ impl KdTree<'_> {
             true => Ok(()),
             false => Err("is not in order".to_owned()),
         }
+    }
+
+    /// Boxes around blocks hold what of the triangles lies in the leaf.
+    fn check_boxes(&self, leaf: Node, inside: &Bounds) -> Result<(), String> {
+        for node in self.held(leaf).boxes {
+            for (lane, child) in node.child.iter().enumerate() {
+                let Held::Block(place, len) = child.held() else { continue };
+                let low = Vec3::from_array([0, 1, 2].map(|axis| node.side[axis][0][lane]));
+                let high = Vec3::from_array([0, 1, 2].map(|axis| node.side[axis][1][lane]));
+                let block = &self.blocks[place];
+                let within = |corner: Vec3| corner.clamp(inside.min, inside.max);
+                let holds = |p: Vec3| p.cmpge(low).all() && p.cmple(high).all();
+                if len != block.len() {
+                    return Err(format!("has {} triangles in a block, and asks {len}", block.len()));
+                }
+                for own in (0..len).map(|i| Bounds::of_points(block.vertices(i))) {
+                    if !holds(within(own.min)) || !holds(within(own.max)) {
+                        return Err(format!("has a triangle beside the box of block {place}"));
+                    }
+                }
+            }
+        }
+        Ok(())
     }
 
     /// A primitive with the box `own` is held by every leaf that it `must` be in, and by one.

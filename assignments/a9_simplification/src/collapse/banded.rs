@@ -5,7 +5,8 @@
 //! of a [`Queue`] that are sure to be emptied are a band, and that is emptied region by region. As the
 //! goal comes near, bands become as narrow as a drawer.
 
-use crate::collapse::queue::{Drawer, Drawers, Line, Queue};
+use crate::collapse::drawers::{Drawer, Drawers};
+use crate::collapse::queue::{Line, Queue};
 
 /// Entries of a region, as a power of two: what is known of them fits into a processor's cache.
 const REGION: u32 = 14;

@@ -12,6 +12,7 @@ mod build;
 mod cells;
 mod cost;
 mod deviation;
+mod drawers;
 mod heap;
 mod lattice;
 mod levels;
