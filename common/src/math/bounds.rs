@@ -54,6 +54,12 @@ impl Bounds {
         self.max - self.min
     }
 
+    /// The axis along which it is longest; the first of those that are.
+    pub fn longest_axis(&self) -> usize {
+        let size = self.size();
+        (0..3).fold(0, |best, axis| if size[axis] > size[best] { axis } else { best })
+    }
+
     /// The eight corners, x varying fastest.
     pub fn corners(&self) -> [Vec3; 8] {
         let pick = |bit: bool, axis: usize| if bit { self.max[axis] } else { self.min[axis] };
@@ -85,5 +91,12 @@ mod tests {
         let b = Bounds::enclosing(-tenth, tenth);
         assert!(f64::from(b.max.x) >= 0.1 && f64::from(b.min.x) <= -0.1);
         assert!(b.max.x.next_down() < 0.1);
+    }
+
+    #[test]
+    fn the_longest_axis_is_the_first_of_equals() {
+        let sized = |size| Bounds { min: Vec3::ONE, max: Vec3::ONE + Vec3::from_array(size) };
+        assert_eq!([[1.0, 2.0, 3.0], [1.0, 2.0, 2.0], [0.0; 3]].map(|s| sized(s).longest_axis()), [2, 1, 0]);
+        assert_eq!(Bounds::EMPTY.longest_axis(), 0);
     }
 }

@@ -194,8 +194,8 @@ fn put_in_order(twigs: &[Twig], children: &mut [u32]) -> usize {
         let bounds = &twigs[*child as usize].bounds;
         [0, 1, 2].map(|axis| bounds[4 + axis] - bounds[axis])
     };
-    let spread = Bounds::of_points(children.iter().map(|child| Vec3::from_array(center(child)))).size();
-    let axis = (0..3).fold(0, |best, axis| if spread[axis] > spread[best] { axis } else { best });
+    let centers = children.iter().map(|child| Vec3::from_array(center(child)));
+    let axis = Bounds::of_points(centers).longest_axis();
     children.sort_by(|a, b| center(a)[axis].total_cmp(&center(b)[axis]));
     axis
 }

@@ -139,32 +139,51 @@ impl Horizons {
     }
 }
 
-/// Rays of which the tree must be asked, and which of all rays they are.
-pub struct Asked {
-    /// The rays, in their order.
-    pub rays: Vec<Ray>,
+/// Rays of which the tree must be asked, in their order, and which of all rays they are.
+struct Asked {
+    rays: Vec<Ray>,
     numbers: Vec<u32>,
 }
 
-impl Asked {
-    /// What is known of these rays.
-    pub fn gather<T: Copy>(&self, all: &[T]) -> Vec<T> {
-        self.numbers.iter().map(|&number| all[number as usize]).collect()
-    }
-
-    /// Puts what is known of these rays back where it belongs.
-    pub fn scatter<T: Copy>(&self, these: &[T], all: &mut [T]) {
-        for (&number, &value) in self.numbers.iter().zip(these) {
-            all[number as usize] = value;
+impl Bvh<'_> {
+    /// Calls `follow` for the rays of which the tree must be asked, with what is known of them:
+    /// rays that leave a triangle for good are none of them, and `few` is told of those that only
+    /// a few triangles could stop.
+    #[inline(always)]
+    pub(super) fn ask_for<T: Copy>(
+        &self,
+        rays: &[Ray],
+        interval: Interval,
+        known: &mut [T],
+        mut few: impl FnMut(&mut T, &Ray, &TriangleBlock, &mut Counters),
+        follow: impl FnOnce(&[Ray], &mut [T], &mut Counters),
+        c: &mut Counters,
+    ) {
+        let asked = self.settle_leaving(
+            rays,
+            interval,
+            #[inline(always)]
+            |i, block| few(&mut known[i], &rays[i], block, c),
+        );
+        let mut kept = Vec::new();
+        let (rays, these) = match &asked {
+            None => (rays, &mut *known),
+            Some(asked) => {
+                kept.extend(asked.numbers.iter().map(|&i| known[i as usize]));
+                (&*asked.rays, &mut *kept)
+            }
+        };
+        // Called in one place only: what is done there is much, and inlined.
+        follow(rays, these, c);
+        for (&i, value) in asked.iter().flat_map(|asked| &asked.numbers).zip(kept) {
+            known[i as usize] = value;
         }
     }
-}
 
-impl Bvh<'_> {
     /// Settles the rays that leave a triangle for good: `few` is told of those that only a few
     /// triangles could stop. Returns the others, or `None` if those are all.
     #[inline(always)]
-    pub(super) fn settle_leaving(
+    fn settle_leaving(
         &self,
         rays: &[Ray],
         interval: Interval,

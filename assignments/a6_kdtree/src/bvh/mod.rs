@@ -23,7 +23,7 @@ mod slot;
 mod split;
 pub(crate) mod stack;
 mod traverse;
-mod validate;
+pub(crate) mod validate;
 pub(crate) mod walk;
 pub(crate) mod wide;
 

@@ -51,60 +51,52 @@ impl Bvh<'_> {
         best: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
-        let asked = self.settle_leaving(
-            rays,
-            interval,
-            #[inline(always)]
-            |i, block| best[i] = self.nearest_of_few(simd, block, &rays[i], interval, best[i], c),
-        );
-        let mut kept = asked.as_ref().map(|asked| asked.gather(best));
-        let rays = asked.as_ref().map_or(rays, |asked| &asked.rays);
-        let bests = kept.as_deref_mut().unwrap_or(best);
         let mut stack = Stack::new();
-        self.for_each_run(
+        self.ask_for(
             rays,
             interval,
+            best,
             #[inline(always)]
-            |run| {
-                let best = &mut bests[run.clone()];
-                self.follow(
-                    simd,
-                    &rays[run],
+            |best, ray, block, c| *best = self.nearest_of_few(simd, block, ray, interval, *best, c),
+            #[inline(always)]
+            |rays, best, c| {
+                self.for_each_run(
+                    rays,
                     interval,
-                    &mut Nearest { interval, best, stack: &mut stack },
-                    c,
+                    #[inline(always)]
+                    |run| {
+                        let (best, stack) = (&mut best[run.clone()], &mut stack);
+                        self.follow(simd, &rays[run], interval, &mut Nearest { interval, best, stack }, c);
+                    },
                 );
             },
+            c,
         );
-        if let (Some(asked), Some(kept)) = (asked, kept) {
-            asked.scatter(&kept, best);
-        }
     }
 
     #[inline(always)]
     fn any_in<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
-        let asked = self.settle_leaving(
-            rays,
-            interval,
-            #[inline(always)]
-            |i, block| hit[i] |= self.any_of_few(simd, block, &rays[i], interval, c),
-        );
-        let mut kept = asked.as_ref().map(|asked| asked.gather(hit));
-        let rays = asked.as_ref().map_or(rays, |asked| &asked.rays);
-        let hits = kept.as_deref_mut().unwrap_or(hit);
         let mut stack = Stack::new();
-        self.for_each_run(
+        self.ask_for(
             rays,
             interval,
+            hit,
             #[inline(always)]
-            |run| {
-                let hit = &mut hits[run.clone()];
-                self.follow(simd, &rays[run], interval, &mut Blocked { interval, hit, stack: &mut stack }, c);
+            |hit, ray, block, c| *hit |= self.any_of_few(simd, block, ray, interval, c),
+            #[inline(always)]
+            |rays, hit, c| {
+                self.for_each_run(
+                    rays,
+                    interval,
+                    #[inline(always)]
+                    |run| {
+                        let (hit, stack) = (&mut hit[run.clone()], &mut stack);
+                        self.follow(simd, &rays[run], interval, &mut Blocked { interval, hit, stack }, c);
+                    },
+                );
             },
+            c,
         );
-        if let (Some(asked), Some(kept)) = (asked, kept) {
-            asked.scatter(&kept, hit);
-        }
     }
 }
 

@@ -99,18 +99,20 @@ impl Bvh<'_> {
 }
 
 impl WideNode {
+    /// The box in a lane.
+    pub(crate) fn box_of(&self, lane: usize) -> Bounds {
+        let corner = |end: usize| Vec3::from_array([0, 1, 2].map(|axis| self.side[axis][end][lane]));
+        Bounds { min: corner(0), max: corner(1) }
+    }
+
     /// The lanes in use, with their boxes.
     fn used(&self) -> impl Iterator<Item = (usize, Bounds)> + '_ {
-        let corner = |lane: usize, end: usize| {
-            Vec3::new(self.side[0][end][lane], self.side[1][end][lane], self.side[2][end][lane])
-        };
-        (0..WIDTH)
-            .map(move |l| (l, Bounds { min: corner(l, 0), max: corner(l, 1) }))
-            .filter(|(_, b)| !b.is_empty())
+        (0..WIDTH).map(|lane| (lane, self.box_of(lane))).filter(|(_, b)| !b.is_empty())
     }
 }
 
-fn contains(outer: &Bounds, inner: &Bounds) -> bool {
+/// Whether a box holds another.
+pub(crate) fn contains(outer: &Bounds, inner: &Bounds) -> bool {
     outer.min.cmple(inner.min).all() && inner.max.cmple(outer.max).all()
 }
 

@@ -94,12 +94,12 @@ impl KdTree<'_> {
 
     /// Adds up to eight blocks; returns the boxes around them.
     fn boxes_around(&mut self, parts: &mut [Part]) -> WideNode {
-        let mut runs: Vec<(&mut [Part], Bounds)> =
-            parts.chunks_mut(LANES).map(|run| (around(run), run)).map(|(b, run)| (run, b)).collect();
-        let axis = widest(runs.iter().map(|(_, bounds)| center(bounds)));
-        runs.sort_by(|a, b| center(&a.1)[axis].total_cmp(&center(&b.1)[axis]));
+        let mut runs: Vec<(Bounds, &mut [Part])> =
+            parts.chunks_mut(LANES).map(|run| (around(run), run)).collect();
+        let axis = Bounds::of_points(runs.iter().map(|(bounds, _)| center(bounds))).longest_axis();
+        runs.sort_by(|a, b| center(&a.0)[axis].total_cmp(&center(&b.0)[axis]));
         let mut node = WideNode { axis: axis as u32, ..EMPTY_NODE };
-        for (lane, (run, bounds)) in runs.into_iter().enumerate() {
+        for (lane, (bounds, run)) in runs.into_iter().enumerate() {
             node.set_box(lane, &bounds);
             node.child[lane] = Child::block(self.blocks.len(), run.len());
             run.sort_unstable_by_key(|part| part.0);
@@ -144,7 +144,7 @@ fn sort_into_blocks(parts: &mut [Part]) {
     if parts.len() <= LANES {
         return;
     }
-    let axis = widest(parts.iter().map(|(_, bounds)| center(bounds)));
+    let axis = Bounds::of_points(parts.iter().map(|(_, bounds)| center(bounds))).longest_axis();
     let middle = parts.len().div_ceil(LANES).div_ceil(2) * LANES;
     let key = |a: &Part, b: &Part| center(&a.1)[axis].total_cmp(&center(&b.1)[axis]).then(a.0.cmp(&b.0));
     parts.select_nth_unstable_by(middle, key);
@@ -156,12 +156,6 @@ fn sort_into_blocks(parts: &mut [Part]) {
 /// Half the sum of both corners, without overflow.
 fn center(bounds: &Bounds) -> Vec3 {
     bounds.min / 2.0 + bounds.max / 2.0
-}
-
-/// The axis along which points differ most.
-fn widest(points: impl Iterator<Item = Vec3>) -> usize {
-    let size = Bounds::of_points(points).size();
-    (0..3).fold(0, |best, axis| if size[axis] > size[best] { axis } else { best })
 }
 
 fn around(parts: &[Part]) -> Bounds {

@@ -5,6 +5,7 @@ use super::MAX_DEPTH;
 use super::clip::halves;
 use super::reference::padded;
 use super::tree::{KdTree, Node};
+use crate::bvh::validate::contains;
 use crate::bvh::wide::Held;
 use a5_grid::overlap::{TriangleOverlap, sphere_meets_box};
 use common::geometry::SolidShape;
@@ -116,16 +117,14 @@ impl KdTree<'_> {
         for node in self.held(leaf).boxes {
             for (lane, child) in node.child.iter().enumerate() {
                 let Held::Block(place, len) = child.held() else { continue };
-                let low = Vec3::from_array([0, 1, 2].map(|axis| node.side[axis][0][lane]));
-                let high = Vec3::from_array([0, 1, 2].map(|axis| node.side[axis][1][lane]));
                 let block = &self.blocks[place];
                 let within = |corner: Vec3| corner.clamp(inside.min, inside.max);
-                let holds = |p: Vec3| p.cmpge(low).all() && p.cmple(high).all();
                 if len != block.len() {
                     return Err(format!("has {} triangles in a block, and asks {len}", block.len()));
                 }
                 for own in (0..len).map(|i| Bounds::of_points(block.vertices(i))) {
-                    if !holds(within(own.min)) || !holds(within(own.max)) {
+                    let part = Bounds { min: within(own.min), max: within(own.max) };
+                    if !contains(&node.box_of(lane), &part) {
                         return Err(format!("has a triangle beside the box of block {place}"));
                     }
                 }

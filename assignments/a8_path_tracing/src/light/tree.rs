@@ -211,10 +211,7 @@ impl LightTree {
 /// the order along an axis, where power times surface summed over both is least.
 fn split(leaves: &mut [Leaf]) -> usize {
     let middle = |leaf: &Leaf| leaf.cluster.bounds.min + leaf.cluster.bounds.max;
-    let low = leaves.iter().map(middle).reduce(Vec3::min).unwrap_or_default();
-    let high = leaves.iter().map(middle).reduce(Vec3::max).unwrap_or_default();
-    let size = high - low;
-    let axis = (0..3).fold(0, |best, axis| if size[axis] > size[best] { axis } else { best });
+    let axis = Bounds::of_points(leaves.iter().map(middle)).longest_axis();
     leaves.sort_by(|a, b| middle(a)[axis].total_cmp(&middle(b)[axis]).then(a.light.cmp(&b.light)));
     let cost = |c: &Cluster| {
         let s = c.bounds.size();
