@@ -25,6 +25,8 @@ pub struct Counters {
     pub skipped_shadow_inside: u64,
     /// Mirrored and refracted rays not made because their colour is black.
     pub skipped_black_secondary: u64,
+    /// Mirrored and refracted rays not traced because what they bring is known without.
+    pub skipped_known_secondary: u64,
     /// Mirrored and refracted rays dropped by the cut-off weight.
     pub skipped_below_weight: u64,
     /// Surfaces for which no light was chosen because they are mirrors or glass only.
@@ -74,6 +76,7 @@ impl AddAssign for Counters {
         self.skipped_shadow_dark += other.skipped_shadow_dark;
         self.skipped_shadow_inside += other.skipped_shadow_inside;
         self.skipped_black_secondary += other.skipped_black_secondary;
+        self.skipped_known_secondary += other.skipped_known_secondary;
         self.skipped_below_weight += other.skipped_below_weight;
         self.skipped_light_specular += other.skipped_light_specular;
         self.ended_by_roulette += other.ended_by_roulette;

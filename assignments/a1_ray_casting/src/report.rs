@@ -79,7 +79,7 @@ impl Report {
         self.phases.iter().filter(|(name, _)| *name == phase).map(|(_, t)| t.as_secs_f64()).sum()
     }
 
-    fn skipped(&self) -> [(&'static str, u64); 17] {
+    fn skipped(&self) -> [(&'static str, u64); 18] {
         let c = &self.counters;
         [
             ("decided in double precision", c.exact_tests),
@@ -88,6 +88,7 @@ impl Report {
             ("skipped: shadow rays, light dark", c.skipped_shadow_dark),
             ("skipped: shadow rays, inside a body", c.skipped_shadow_inside),
             ("skipped: secondary rays, black", c.skipped_black_secondary),
+            ("skipped: secondary rays, known", c.skipped_known_secondary),
             ("dropped: secondary rays, weight", c.skipped_below_weight),
             ("surface points worked out", c.surfaces),
             ("skipped: surface points, not wanted", c.skipped_surface),

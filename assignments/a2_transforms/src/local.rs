@@ -110,6 +110,12 @@ impl LocalLight<'_> {
             };
             each(index, &light, light.color * reflected);
         }
+        self.own(mixture)
+    }
+
+    /// What a surface sends on whatever the lights do: its own light and its share of ambient light.
+    #[inline(always)]
+    pub fn own(&self, mixture: &Mixture) -> Vec3 {
         let ambient = self.scene.background.ambient_light;
         mixture.blend(|m| m.emissive) + ambient * mixture.blend(|m| m.diffuse)
     }

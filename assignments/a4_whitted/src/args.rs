@@ -115,6 +115,7 @@ impl WhittedArgs {
                 skip_dark: skips(Skip::Dark),
                 skip_inside: skips(Skip::Inside),
                 skip_black: skips(Skip::Black),
+                skip_known: skips(Skip::Known),
                 skip_surface: skips(Skip::Surface),
             },
         }
@@ -134,6 +135,8 @@ impl WhittedArgs {
         let (x, y) = (f64::from(pixel[0]) + 0.5, f64::from(pixel[1]) + 0.5);
         let ray = studio.camera.ray(screen_position(studio.size, x, y));
         let mut tree = RayTree::default();
+        // Who asks for the tree wants to see all of it.
+        let whitted = &Whitted { rules: Rules { skip_known: false, ..whitted.rules }, ..*whitted };
         let counters = &mut report.counters;
         counters.rays += 1;
         let hit = whitted.accel.nearest(&ray, studio.camera.interval, counters);

@@ -5,7 +5,9 @@
 //! how much of each light arrives. A [`Recorder`] can watch; [`RayTree`] writes down all it sees.
 
 mod args;
+mod generation;
 mod interface;
+mod interior;
 mod optics;
 mod shadow;
 mod tree;

@@ -1,11 +1,12 @@
 //! A4T1: shadow rays.
 
+use crate::interior::{Interior, comes_through};
 use crate::{Recorder, Whitted};
 use a2_transforms::{Incident, Lamps, Source};
 use common::cli::Skip;
 use common::counters::Counters;
 use common::geometry::{Departure, Hit, Surface};
-use common::math::{Bounds, Interval, Vec3};
+use common::math::{Interval, Vec3};
 use common::ray::Ray;
 use common::scene::Scene;
 
@@ -18,48 +19,22 @@ pub struct Asked<'a, 'w, L: Lamps> {
     pub lamps: &'a mut L,
     /// Where skips are counted.
     pub counters: &'a mut Counters,
-    /// The box of a closed body, if the surface is seen from inside one.
-    pub body: Option<Bounds>,
-    /// Whether all light comes from outside that box, and none of it is looked at.
-    pub dark: bool,
+    /// The closed body, if the surface is seen from inside one. If that is dark, no light is looked at.
+    pub inside: Option<Interior>,
     /// Whether the body stands before the light that was looked at last.
     pub blocked: bool,
-}
-
-/// Whether a point is outside a box.
-fn is_outside(p: Vec3, body: &Bounds) -> bool {
-    p.cmplt(body.min).any() || p.cmpgt(body.max).any()
-}
-
-/// Whether all lights are known to be outside the box of a body.
-pub fn all_outside(lamps: &impl Lamps, scene: &Scene, body: &Bounds) -> bool {
-    (0..lamps.looks(scene)).all(|index| match lamps.source(scene, index) {
-        Some(Source::Direction(_)) => true,
-        Some(Source::Point(position)) => is_outside(position.as_vec3(), body),
-        None => false,
-    })
-}
-
-/// Whether light comes to the inner side of a body's surface from outside its box.
-fn comes_through(source: &Source, surface: &Surface, body: &Bounds) -> bool {
-    let towards = match *source {
-        Source::Direction(towards) => towards.as_vec3().as_dvec3(),
-        Source::Point(position) if is_outside(position.as_vec3(), body) => position - surface.point,
-        Source::Point(_) => return false,
-    };
-    surface.geometric_normal.dot(towards) < 0.0
 }
 
 impl<L: Lamps> Lamps for Asked<'_, '_, L> {
     #[inline(always)]
     fn looks(&self, scene: &Scene) -> usize {
-        if self.dark { 0 } else { self.lamps.looks(scene) }
+        if self.inside.is_some_and(|inside| inside.dark) { 0 } else { self.lamps.looks(scene) }
     }
 
     #[inline(always)]
     fn look(&mut self, scene: &Scene, index: usize, surface: &Surface) -> Incident {
         self.blocked = false;
-        let Some(body) = self.body else { return self.lamps.look(scene, index, surface) };
+        let Some(Interior { body, .. }) = self.inside else { return self.lamps.look(scene, index, surface) };
         let dark = |source| Incident { direction: Vec3::ZERO, color: Vec3::ZERO, source };
         if let Some(source) = self.lamps.source(scene, index) {
             self.blocked = comes_through(&source, surface, &body);

@@ -5,14 +5,15 @@
 //! that follow several rays at a time like that. Radiance is linear, so a ray needs only its own
 //! factor and the owner, the camera ray whose radiance it adds to.
 
-use crate::interface::{crossing, mirrored_direction, opaque_mirror, panes};
-use crate::shadow::{Asked, ShadowRays, all_outside};
+use crate::generation::{Branch, Generation};
+use crate::interior::Interior;
+use crate::shadow::{Asked, ShadowRays};
 use crate::{RayKind, Recorder, Whitted};
 use a1_ray_casting::{Mixture, Sight};
 use a2_transforms::Lamps;
 use common::counters::Counters;
-use common::geometry::{Departure, Hit, Surface};
-use common::math::{Bounds, DVec3, Interval, Vec3};
+use common::geometry::{Hit, Surface};
+use common::math::{DVec3, Interval, Vec3};
 use common::ray::Ray;
 use common::scene::PhongMaterial;
 use common::simd::{self, Simd, dispatch};
@@ -20,24 +21,6 @@ use common::simd::{self, Simd, dispatch};
 /// An owner with more rays than this in one generation is finished alone, last rays first, so that
 /// memory is needed for the depth of its tree and not for its width.
 const WIDE: usize = 64;
-
-/// A ray still to be followed.
-#[derive(Clone, Copy)]
-pub struct Branch<I> {
-    ray: Ray,
-    kind: RayKind,
-    depth: u32,
-    weight: f32,
-    throughput: Vec3,
-    owner: u32,
-    parent: I,
-}
-
-/// The rays of one generation, mirrored ones first.
-struct Generation<I> {
-    mirrored: Vec<Branch<I>>,
-    refracted: Vec<Branch<I>>,
-}
 
 /// Camera rays on the way to their radiance.
 pub struct Wave<'a, 'w, R: Recorder, L: Lamps> {
@@ -59,6 +42,7 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
         let camera = |(owner, sight): (u32, &Sight)| Branch {
             ray: sight.ray,
             kind: RayKind::Camera,
+            settled: false,
             depth: 0,
             weight: 1.0,
             throughput: Vec3::ONE,
@@ -83,7 +67,8 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
 
     /// Traces rays and follows them.
     fn send(&mut self, branches: &[Branch<R::Id>]) -> Vec<Branch<R::Id>> {
-        let rays: Vec<Ray> = branches.iter().map(|branch| branch.ray).collect();
+        let asked = branches.iter().filter(|branch| !branch.settled);
+        let rays: Vec<Ray> = asked.map(|branch| branch.ray).collect();
         let mut hits = vec![None; rays.len()];
         self.counters.rays += rays.len() as u64;
         let accel = self.whitted.accel;
@@ -92,6 +77,7 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
     }
 
     /// Adds what rays bring by themselves and by the lights; returns the rays that come of them.
+    /// `hits` are those of the rays that were traced.
     fn follow(&mut self, branches: &[Branch<R::Id>], hits: &[Option<Hit>]) -> Vec<Branch<R::Id>> {
         dispatch!(simd::level(), s => s.vectorize(
             #[inline(always)]
@@ -110,8 +96,14 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
         let mut next =
             Generation { mirrored: Vec::with_capacity(2 * most), refracted: Vec::with_capacity(most) };
         let mut shadows = ShadowRays::new(whitted, most);
-        let mut seen: Option<(Bounds, bool)> = None;
-        for (branch, hit) in branches.iter().zip(hits) {
+        let mut seen = None;
+        let mut hits = hits.iter();
+        for branch in branches {
+            if branch.settled {
+                self.radiances[branch.owner as usize] += branch.throughput;
+                continue;
+            }
+            let hit = hits.next().expect("there is one for each ray that was traced");
             let id = self.recorder.ray(branch.parent, branch.kind, &branch.ray, *hit, branch.weight);
             let radiance = &mut self.radiances[branch.owner as usize];
             let Some(hit) = hit else {
@@ -125,25 +117,25 @@ impl<R: Recorder, L: Lamps> Wave<'_, '_, R, L> {
             let incoming = branch.ray.direction.as_dvec3();
             let throughput = branch.throughput * inside(&mixture, surface, incoming, hit.t);
             let at = Branch { throughput, parent: id, ..*branch };
+            let lamps = &mut self.lamps[branch.owner as usize];
             if branch.depth < whitted.rules.bounces {
-                next.add(whitted, &at, surface, &departure, &mixture, self.counters);
+                let mut known = || {
+                    let interior: Interior = whitted.interior(surface, lamps, &mut seen)?;
+                    whitted.known_inside(surface, &interior)
+                };
+                next.add(whitted, &at, surface, &departure, &mixture, &mut known, self.counters);
             }
             let reflect = |m: &PhongMaterial, n, l, v| whitted.phong.reflect(m, n, l, v);
-            let lamps = &mut self.lamps[branch.owner as usize];
-            let body = match whitted.skips_inside() && incoming.dot(surface.geometric_normal) > 0.0 {
-                true => geometry.convex_body(surface.primitive),
+            let inside = match incoming.dot(surface.geometric_normal) > 0.0 {
+                true => whitted.interior(surface, lamps, &mut seen),
                 false => None,
             };
-            // No light comes from outside to the inner side of a closed body.
-            let dark = body.is_some_and(|body| match seen {
-                Some((before, dark)) if before == body => dark,
-                _ => seen.insert((body, all_outside(lamps, whitted.light.scene, &body))).1,
-            });
-            // Without `shade_back` the inner side is black anyway.
-            if dark && whitted.light.shade_back {
+            // No light comes from outside to the inner side of a closed body, which is black anyway
+            // without `shade_back`.
+            if inside.is_some_and(|inside| inside.dark) && whitted.light.shade_back {
                 self.counters.skipped_shadow_inside += lamps.looks(whitted.light.scene) as u64;
             }
-            let mut asked = Asked { whitted, lamps, counters: self.counters, body, dark, blocked: false };
+            let mut asked = Asked { whitted, lamps, counters: self.counters, inside, blocked: false };
             let own = whitted.light.gather(
                 surface,
                 &mixture,
@@ -172,57 +164,6 @@ fn set_aside_wide<I: Copy>(next: &mut Vec<Branch<I>>, owners: usize, alone: &mut
     next.iter().for_each(|branch| counts[branch.owner as usize] += 1);
     for owner in (0..owners).filter(|owner| counts[*owner] > WIDE) {
         alone.push(next.extract_if(.., |branch| branch.owner as usize == owner).collect());
-    }
-}
-
-impl<I: Copy> Generation<I> {
-    /// The mirrored ray of a surface point and the refracted ones. What is mixed of several
-    /// materials has one mirror, and a refracted ray for each index of refraction that light can
-    /// bend by.
-    #[inline(always)]
-    fn add(
-        &mut self,
-        whitted: &Whitted,
-        at: &Branch<I>,
-        surface: &Surface,
-        departure: &Departure,
-        mixture: &Mixture,
-        counters: &mut Counters,
-    ) {
-        let (incoming, rules) = (at.ray.direction.as_dvec3(), &whitted.rules);
-        let fresnel = rules.fresnel;
-        let mut make = |kind, color: Vec3, direction: DVec3| {
-            let weight = at.weight * color.length();
-            if weight < rules.min_weight {
-                counters.skipped_below_weight += 1;
-                return None;
-            }
-            // The side is chosen for the direction that the ray really has, after rounding.
-            let direction = direction.as_vec3();
-            let start = departure.towards(direction.as_dvec3());
-            let ray = Ray::leaving(surface.primitive, start, direction);
-            Some(Branch { ray, kind, depth: at.depth + 1, weight, throughput: at.throughput * color, ..*at })
-        };
-        let mut mirrored = if fresnel { opaque_mirror(mixture) } else { mixture.blend(|m| m.reflective) };
-        let mut opaque = true;
-        for pane in panes(mixture, !rules.skip_black) {
-            opaque = false;
-            let crossing = crossing(incoming, surface, pane.index_of_refraction);
-            let mut color = pane.color;
-            if fresnel {
-                let reflectance = crossing.reflectance as f32;
-                mirrored += Vec3::splat(pane.share * reflectance);
-                color *= 1.0 - reflectance;
-            }
-            let refracted = crossing.refracted;
-            self.refracted.extend(refracted.and_then(|direction| make(RayKind::Refracted, color, direction)));
-        }
-        let skip_mirror = mirrored == Vec3::ZERO && rules.skip_black;
-        if !skip_mirror {
-            let direction = mirrored_direction(incoming, surface);
-            self.mirrored.extend(make(RayKind::Mirrored, mirrored, direction));
-        }
-        counters.skipped_black_secondary += u64::from(opaque) + u64::from(skip_mirror);
     }
 }
 

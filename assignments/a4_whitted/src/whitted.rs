@@ -31,6 +31,9 @@ pub struct Rules {
     pub skip_inside: bool,
     /// No secondary ray of black weight.
     pub skip_black: bool,
+    /// No ray at the last depth inside a closed body that is empty and dark: wherever it goes, it
+    /// brings what the body's inner side sends on of ambient light.
+    pub skip_known: bool,
     /// No surface point where a shadow ray passes something transparent, unless it has a texture.
     pub skip_surface: bool,
 }
@@ -51,11 +54,6 @@ pub struct Whitted<'a> {
 }
 
 impl Whitted<'_> {
-    /// Whether to look for bodies that block shadow rays from their inside.
-    pub(crate) fn skips_inside(&self) -> bool {
-        self.rules.skip_inside && self.rules.shadows && !self.rules.transparent_shadows
-    }
-
     /// Radiance that arrives along a camera ray whose nearest hit is known; all lights are points.
     pub fn radiance<R: Recorder>(&self, sight: &Sight, counters: &mut Counters, recorder: &mut R) -> Vec3 {
         let mut radiance = [Vec3::ZERO];

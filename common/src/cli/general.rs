@@ -102,6 +102,8 @@ pub enum Skip {
     Inside,
     /// Mirrored and refracted rays of black weight
     Black,
+    /// Last rays inside a closed convex body with nothing else in it, whose colour is known
+    Known,
     /// Lights chosen for mirrors and glass, which send nothing on between two given directions
     Specular,
     /// Points and normals of hits of which no more than distance or material is wanted

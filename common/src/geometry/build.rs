@@ -107,6 +107,7 @@ impl Geometry {
             uv,
             placed,
             body: OnceLock::new(),
+            hollow: OnceLock::new(),
         });
         Ok(())
     }

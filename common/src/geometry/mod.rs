@@ -10,6 +10,7 @@ mod body;
 mod build;
 mod facet;
 mod hit;
+mod hollow;
 mod placed;
 mod smooth;
 mod surface;
@@ -86,6 +87,8 @@ pub(crate) struct Run {
     pub placed: Option<Box<PlacedMesh>>,
     /// The body that it bounds if it is a mesh, once someone has asked.
     pub body: OnceLock<Option<Bounds>>,
+    /// Whether nothing else is in the body that it bounds, once someone has asked.
+    pub hollow: OnceLock<bool>,
 }
 
 /// The arrays that primitives are kept in.
