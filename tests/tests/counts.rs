@@ -119,9 +119,60 @@ fn a4t1_lights_outside_of_closed_bodies() {
             c.shadow_rays + skipped
         };
         assert!(skipping.skipped_shadow_inside > 1000, "{scene}: {}", skipping.skipped_shadow_inside);
-        assert_eq!((lights(&skipping), skipping.rays), (lights(&toiling), toiling.rays), "{scene}");
+        // Who looks at every light traces the last rays, too, for their sake.
+        let known = skipping.skipped_known_secondary;
+        let lamps = Stage::open(scene, inside).studio.scene.lights.len() as u64;
+        let all = (lights(&skipping) + lamps * known, skipping.rays + known);
+        assert_eq!(all, (lights(&toiling), toiling.rays), "{scene}");
         assert_eq!(toiling.skipped_shadow_inside, 0);
     }
+}
+
+/// The last rays into a ball or a gem meet its inner side, wherever they go.
+#[test]
+fn a4t2_last_rays_inside_of_closed_bodies() {
+    for scene in ["scenes/scene4_14_faceted_gem.txt", "scenes/scene4_09_transparent_sphere_2.0.txt"] {
+        for flags in ["-shadows -shade_back -bounces 4", "-shadows -bounces 1 -weight 0.01"] {
+            let flags = format!("-size 100 100 {flags}");
+            let [skipping, toiling] = with_and_without(&workspace_file(scene), &flags, Skip::Known);
+            let known = skipping.skipped_known_secondary;
+            assert!(known > 1000, "{scene}: {known}");
+            let all = (skipping.rays + known, skipping.surfaces + known);
+            assert_eq!(all, (toiling.rays, toiling.surfaces), "{scene}");
+            assert_eq!(toiling.skipped_known_secondary, 0);
+        }
+    }
+}
+
+/// A ball of glass, and things that make a difference to what its inner side sends on.
+#[test]
+fn a4t2_last_rays_that_are_not_known() {
+    let folder = tempfile::tempdir().expect("there is room for temporary files");
+    let known = |light: &str, glass: &str, other: &str, flags: &str| {
+        let scene = folder.path().join("ball.txt");
+        let text = format!(
+            "PerspectiveCamera {{ center 0 0 5 direction 0 0 -1 up 0 1 0 angle 40 }}
+             Lights {{ numLights 1 PointLight {{ position {light} color 1 1 1 }} }}
+             Background {{ color 0.2 0.3 0.4 ambientLight 0.3 0.3 0.3 }}
+             Materials {{ numMaterials 1 PhongMaterial {{ diffuseColor 0.2 0.3 0.1
+                 transparentColor 0.9 0.8 0.9 indexOfRefraction 1.3 {glass} }} }}
+             Group {{ numObjects 2 MaterialIndex 0 Sphere {{ center 0 0 0 radius 1 }} {other} }}"
+        );
+        fs::write(&scene, text).expect("there is room for temporary files");
+        let flags = format!("-size 50 50 -shade_back -bounces 1 {flags}");
+        with_and_without(&scene, &flags, Skip::Known)[0].skipped_known_secondary
+    };
+    let aside = "Sphere { center 3 0 0 radius 0.5 }";
+    assert!(known("2 3 4", "", aside, "-shadows") > 100);
+    assert_eq!(known("0.1 0.2 0.3", "", aside, "-shadows"), 0, "the light is inside");
+    assert_eq!(known("2 3 4", "absorption 1 2 3", aside, "-shadows"), 0, "it depends on the distance");
+    assert_eq!(
+        known("2 3 4", "", "Sphere { center 0.2 0 0 radius 0.3 }", "-shadows"),
+        0,
+        "something is inside"
+    );
+    assert_eq!(known("2 3 4", "", aside, ""), 0, "light comes through everything");
+    assert_eq!(known("2 3 4", "", aside, "-shadows -transparent_shadows"), 0, "and through glass");
 }
 
 #[test]

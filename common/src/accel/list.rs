@@ -2,7 +2,7 @@
 
 use super::Accel;
 use crate::counters::Counters;
-use crate::geometry::{Geometry, Hit, hit_triangle};
+use crate::geometry::{Geometry, Hit, hit_triangle_with};
 use crate::math::{Bounds, Interval};
 use crate::ray::Ray;
 use crate::shape::ExactRay;
@@ -139,7 +139,7 @@ impl Job<'_> {
         let (ray, interval, before) = (self.ray, self.interval, *best);
         *best = simd.vectorize(
             #[inline(always)]
-            || decide(ray, interval, block, possible, before),
+            || decide(simd, ray, interval, block, possible, before),
         );
         let mut lanes = verdict.certain & possible;
         if lanes == 0 {
@@ -188,7 +188,7 @@ impl Job<'_> {
         let (ray, interval) = (self.ray, self.interval);
         let hit = simd.vectorize(
             #[inline(always)]
-            || decide(ray, interval, block, possible, None),
+            || decide(simd, ray, interval, block, possible, None),
         );
         hit.is_some()
     }
@@ -196,7 +196,8 @@ impl Job<'_> {
 
 /// The exact test for the lanes that the filter left.
 #[inline(always)]
-fn decide(
+fn decide<S: Simd>(
+    simd: S,
     ray: &Ray,
     interval: Interval,
     block: &TriangleBlock,
@@ -207,7 +208,7 @@ fn decide(
     while lanes != 0 {
         let lane = lanes.trailing_zeros() as usize;
         lanes &= lanes - 1;
-        let hit = hit_triangle(&block.vertices(lane), block.index[lane], &exact, interval);
+        let hit = hit_triangle_with(simd, &block.vertices(lane), block.index[lane], &exact, interval);
         if let Some(hit) = hit.filter(|h| h.precedes(best.as_ref())) {
             best = Some(hit);
         }

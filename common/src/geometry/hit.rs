@@ -1,7 +1,9 @@
 //! What a ray has hit, and which of two hits counts.
 
 use crate::math::{Interval, Vec3};
-use crate::shape::{ExactRay, triangle};
+use crate::shape::ExactRay;
+use crate::shape::triangle::{self, TriangleHit};
+use crate::simd::Simd;
 
 /// What traversal carries of a hit: the least from which all else can be worked out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,8 +27,23 @@ impl Hit {
 }
 
 /// Tests one triangle; `primitive` is put into the hit as it is.
-#[inline(always)]
 pub fn hit_triangle(vertices: &[Vec3; 3], primitive: u32, ray: &ExactRay, interval: Interval) -> Option<Hit> {
-    let hit = triangle::intersect(ray, vertices)?;
+    inside(triangle::intersect(ray, vertices)?, primitive, interval)
+}
+
+/// The same with given instructions.
+#[inline(always)]
+pub fn hit_triangle_with<S: Simd>(
+    simd: S,
+    vertices: &[Vec3; 3],
+    primitive: u32,
+    ray: &ExactRay,
+    interval: Interval,
+) -> Option<Hit> {
+    inside(triangle::intersect_with(simd, ray, vertices)?, primitive, interval)
+}
+
+#[inline(always)]
+fn inside(hit: TriangleHit, primitive: u32, interval: Interval) -> Option<Hit> {
     interval.contains(hit.t).then_some(Hit { t: hit.t, primitive, u: hit.u, v: hit.v })
 }

@@ -19,7 +19,7 @@ mod tests;
 mod uv;
 
 pub use build::GeometryError;
-pub use hit::{Hit, hit_triangle};
+pub use hit::{Hit, hit_triangle, hit_triangle_with};
 pub use placed::PlacedMesh;
 pub use smooth::facing;
 pub use surface::{Departure, Surface};

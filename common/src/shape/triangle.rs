@@ -13,6 +13,7 @@
 
 use super::ExactRay;
 use crate::math::{DVec3, UNIT_ROUNDOFF, Vec3, exact, sum3};
+use crate::simd::{Level, Simd, SimdBase, SimdMask, dispatch, f64x4, mask64x4};
 
 /// A hit of one triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,108 +34,136 @@ const EDGE_ERROR: f64 = 1.0 / (1u64 << 47) as f64;
 ///
 /// `None` if it passes outside, edge-on, or the triangle has no area. Both sides count. An edge
 /// that the line meets exactly belongs to exactly one of the two triangles that share it.
-#[inline(always)]
 pub fn intersect(ray: &ExactRay, vertices: &[Vec3; 3]) -> Option<TriangleHit> {
-    let corner = Corners::of(ray, vertices);
-    let mut weight = corner.edges(ray);
+    dispatch!(Level::baseline(), simd => intersect_with(simd, ray, vertices))
+}
+
+/// The same with given instructions. The corners go side by side through sums, products, quotients
+/// and comparisons, none of them fused, so that every processor gets the same bits.
+#[inline(always)]
+pub fn intersect_with<S: Simd>(simd: S, ray: &ExactRay, vertices: &[Vec3; 3]) -> Option<TriangleHit> {
+    let corner = Corners::of(simd, ray, vertices);
+    let weight = corner.edges(simd, ray);
     let error = EDGE_ERROR * ray.reach * corner.reach * corner.reach;
-    let certain = weight[0].abs() > error && weight[1].abs() > error && weight[2].abs() > error;
-    if !certain {
-        return intersect_exactly(ray, vertices, &corner);
+    let certain = in_use(weight.abs().simd_gt(f64x4::splat(simd, error)));
+    if certain != ALL {
+        return intersect_exactly(ray, vertices);
     }
-    let front = weight[0] < 0.0 && weight[1] < 0.0 && weight[2] < 0.0;
-    let back = weight[0] > 0.0 && weight[1] > 0.0 && weight[2] > 0.0;
-    if !front && !back {
+    let positive = in_use(weight.simd_gt(f64x4::splat(simd, 0.0)));
+    if positive != 0 && positive != ALL {
         return None;
     }
     // Certain signs are not yet precise values: in a thin triangle the weights' error moves the
     // point along its length, by at most `error · size / total`.
+    let weight = lanes(weight);
     let total = weight[0] + weight[1] + weight[2];
     if error * corner.size() > total.abs() * corner.reach * UNIT_ROUNDOFF {
-        exact_sides(ray, vertices, &mut weight);
+        return intersect_exactly(ray, vertices);
     }
-    Some(corner.hit(ray, &weight))
+    Some(corner.hit(simd, ray, weight))
 }
 
-/// The same where rounding could hide a sign.
+/// The same where rounding could hide a sign, or move the point too far along a thin triangle.
 #[cold]
 #[inline(never)]
-fn intersect_exactly(ray: &ExactRay, vertices: &[Vec3; 3], corner: &Corners) -> Option<TriangleHit> {
+fn intersect_exactly(ray: &ExactRay, vertices: &[Vec3; 3]) -> Option<TriangleHit> {
     let mut weight = [0.0; 4];
     let side = exact_sides(ray, vertices, &mut weight);
     let inside = side.iter().all(|&s| s < 0.0) || side.iter().all(|&s| s > 0.0);
-    inside.then(|| corner.hit(ray, &weight))
+    let hit =
+        || dispatch!(Level::baseline(), simd => Corners::of(simd, ray, vertices).hit(simd, ray, weight));
+    inside.then(hit)
 }
 
-/// Four numbers of which three are used, one for each corner: loops over them become vector
-/// code, without fused operations, so that every processor gets the same bits.
+/// Four numbers of which three are used, one for each corner.
 type Lanes = [f64; 4];
 
+/// The bits of those three.
+const ALL: u32 = 7;
+
+/// Which of them a comparison holds for.
+#[inline(always)]
+fn in_use<S: Simd>(mask: mask64x4<S>) -> u32 {
+    mask.to_bitmask() as u32 & ALL
+}
+
+#[inline(always)]
+fn lanes<S: Simd>(v: f64x4<S>) -> Lanes {
+    let mut lanes = [0.0; 4];
+    v.store_slice(&mut lanes);
+    lanes
+}
+
+/// In place of each corner's number that of the next.
+#[inline(always)]
+fn next<S: Simd>(simd: S, v: f64x4<S>) -> f64x4<S> {
+    let [a, b, c, _] = lanes(v);
+    f64x4::from_slice(simd, &[b, c, a, b])
+}
+
+/// [`sum3`] in every lane. (What `min` and `max` make of zeros of two signs differs between
+/// processors; a sum of three has them only if all three are zero.)
+#[inline(always)]
+fn sums<S: Simd>(x: f64x4<S>, y: f64x4<S>, z: f64x4<S>) -> f64x4<S> {
+    let (a, b, c) = ((x + y) + z, (y + z) + x, (z + x) + y);
+    a.min(b).max(b.max(a).min(c))
+}
+
+/// Where the corners are from the ray's origin, along one axis.
+#[inline(always)]
+fn along_axis<S: Simd>(simd: S, ray: &ExactRay, [a, b, c]: &[Vec3; 3], axis: usize) -> f64x4<S> {
+    let [a, b, c] = [f64::from(a[axis]), f64::from(b[axis]), f64::from(c[axis])];
+    f64x4::from_slice(simd, &[a, b, c, a]) - f64x4::splat(simd, ray.origin[axis])
+}
+
 /// A triangle as its ray sees it.
-struct Corners {
-    /// Corner less origin, `from_origin[axis][corner]`.
-    from_origin: [Lanes; 3],
+struct Corners<S: Simd> {
+    /// Corner less origin, by axis, a lane for each corner.
+    from_origin: [f64x4<S>; 3],
     /// Largest magnitude therein.
     reach: f64,
 }
 
-impl Corners {
+impl<S: Simd> Corners<S> {
     #[inline(always)]
-    fn of(ray: &ExactRay, vertices: &[Vec3; 3]) -> Self {
-        let mut from_origin = [[0.0; 4]; 3];
-        let mut reach = 0.0;
-        for axis in 0..3 {
-            for k in 0..4 {
-                from_origin[axis][k] = f64::from(vertices[k % 3][axis]) - ray.origin[axis];
-            }
-        }
-        for k in 0..3 {
-            for lanes in &from_origin {
-                reach = greater(reach, lanes[k].abs());
-            }
-        }
-        Self { from_origin, reach }
+    fn of(simd: S, ray: &ExactRay, vertices: &[Vec3; 3]) -> Self {
+        let x = along_axis(simd, ray, vertices, 0);
+        let y = along_axis(simd, ray, vertices, 1);
+        let z = along_axis(simd, ray, vertices, 2);
+        let [a, b, c, _] = lanes(x.abs().max(y.abs()).max(z.abs()));
+        Self { from_origin: [x, y, z], reach: greater(greater(a, b), c) }
     }
 
     /// Edge function d · (p × q) of the edge opposite each corner.
     #[inline(always)]
-    fn edges(&self, ray: &ExactRay) -> Lanes {
-        let turned = |by: usize| {
-            let turn = |lanes: &Lanes| [lanes[by], lanes[(by + 1) % 3], lanes[(by + 2) % 3], lanes[by]];
-            [turn(&self.from_origin[0]), turn(&self.from_origin[1]), turn(&self.from_origin[2])]
-        };
-        let (p, q) = (turned(1), turned(2));
-        let mut weight = [0.0; 4];
-        for k in 0..4 {
-            let x = p[1][k] * q[2][k] - p[2][k] * q[1][k];
-            let y = p[2][k] * q[0][k] - p[0][k] * q[2][k];
-            let z = p[0][k] * q[1][k] - p[1][k] * q[0][k];
-            weight[k] = sum3(ray.direction.x * x, ray.direction.y * y, ray.direction.z * z);
-        }
-        weight
+    fn edges(&self, simd: S, ray: &ExactRay) -> f64x4<S> {
+        let [px, py, pz] = self.from_origin;
+        let [qx, qy, qz] = [next(simd, px), next(simd, py), next(simd, pz)];
+        let d = ray.direction;
+        let x = f64x4::splat(simd, d.x) * (py * qz - pz * qy);
+        let y = f64x4::splat(simd, d.y) * (pz * qx - px * qz);
+        let z = f64x4::splat(simd, d.z) * (px * qy - py * qx);
+        // From each corner to the next: opposite the one after that.
+        next(simd, sums(x, y, z))
     }
 
     /// Largest side of the box around the two edges at the first corner.
     #[inline(always)]
     fn size(&self) -> f64 {
-        let side = |lanes: &Lanes| greater((lanes[1] - lanes[0]).abs(), (lanes[2] - lanes[0]).abs());
-        let [x, y, z] = &self.from_origin;
+        let [x, y, z] = self.from_origin;
         greater(side(x), greater(side(y), side(z)))
     }
 
     /// The point of these weights: a convex combination of the corners' own parameters, so that
     /// t cannot leave the triangle's range, however grazing the ray.
     #[inline(always)]
-    fn hit(&self, ray: &ExactRay, weight: &Lanes) -> TriangleHit {
+    fn hit(&self, simd: S, ray: &ExactRay, weight: Lanes) -> TriangleHit {
         let total = weight[0] + weight[1] + weight[2];
-        let mut share = [0.0; 4];
-        let mut part = [0.0; 4];
-        for k in 0..4 {
-            let [x, y, z] = &self.from_origin;
-            let d = ray.direction;
-            share[k] = weight[k] / total;
-            part[k] = share[k] * sum3(x[k] * d.x, y[k] * d.y, z[k] * d.z);
-        }
+        let share = f64x4::from_slice(simd, &weight) / f64x4::splat(simd, total);
+        let ([x, y, z], d) = (self.from_origin, ray.direction);
+        let along =
+            sums(x * f64x4::splat(simd, d.x), y * f64x4::splat(simd, d.y), z * f64x4::splat(simd, d.z));
+        let (part, share) = (lanes(share * along), lanes(share));
         let t = sum3(part[0], part[1], part[2]) / ray.length_squared;
         TriangleHit { t: t as f32, u: share[1] as f32, v: share[2] as f32 }
     }
@@ -143,6 +172,13 @@ impl Corners {
 #[inline(always)]
 fn greater(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
+}
+
+/// Largest distance of the other two corners from the first, along an axis.
+#[inline(always)]
+fn side<S: Simd>(axis: f64x4<S>) -> f64 {
+    let [a, b, c, _] = lanes(axis);
+    greater((b - a).abs(), (c - a).abs())
 }
 
 /// Edge functions without rounding; `weight` receives their values, the result their signs

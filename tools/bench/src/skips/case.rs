@@ -101,7 +101,7 @@ const POINTS: &str = "surface points worked out";
 const BUILT: &str = "structures built";
 
 /// All that accuracy.md names, in its order, and what else is skipped.
-pub const CASES: [Case; 20] = [
+pub const CASES: [Case; 21] = [
     plain("shadow rays to lights that give nothing", "dark", DARK, "-size 200 200 -shadows", SHADOW),
     plain(
         "shadow rays to lights behind the surface",
@@ -127,6 +127,13 @@ pub const CASES: [Case; 20] = [
             "-size 64 64 -spp 16",
             "skipped: lights not asked for mirrors and glass",
         ),
+    ),
+    plain(
+        "last rays inside closed bodies",
+        "known",
+        GEM,
+        "-size 200 200 -shadows -shade_back -bounces 4",
+        RAYS,
     ),
     plain("secondary rays of black weight", "black", BALLS, "-size 200 200 -shadows -bounces 3", RAYS),
     plain(

@@ -28,6 +28,7 @@ const RULES: Rules = Rules {
     skip_dark: true,
     skip_inside: true,
     skip_black: true,
+    skip_known: true,
     skip_surface: true,
 };
 
