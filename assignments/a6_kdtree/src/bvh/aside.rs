@@ -6,8 +6,9 @@
 //! axes, no ray of them meets the box. Signs of directions do not matter.
 
 use super::wide::{Bvh, WIDTH, WideNode};
-use common::math::{Interval, Vec3};
+use common::math::Interval;
 use common::ray::Ray;
+use common::simd::{Select, Simd, SimdBase, f32x8};
 use std::ops::Range;
 
 /// Rays that are asked about together. Fewer are in one place more often, and cost more questions.
@@ -21,22 +22,37 @@ const FEWEST: usize = 16;
 /// beyond the rounding of what is computed here in double precision.
 const ROOM: f64 = 1.0 / (1 << 18) as f64;
 
-/// The least box around some vectors.
+/// The least box around the origins of some rays, and the one around their directions, whose axes
+/// come after those of the first.
 struct Around {
-    low: Vec3,
-    high: Vec3,
+    low: [f32; 8],
+    high: [f32; 8],
 }
 
-impl Around {
-    const NOTHING: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
+/// Where the axes of directions begin.
+const DIRECTION: usize = 3;
 
+impl Around {
     /// Written so that NaN is passed over: a ray with one hits nothing.
     #[inline(always)]
-    fn add(&mut self, v: Vec3) {
-        for axis in 0..3 {
-            self.low[axis] = if v[axis] < self.low[axis] { v[axis] } else { self.low[axis] };
-            self.high[axis] = if v[axis] > self.high[axis] { v[axis] } else { self.high[axis] };
+    fn of<S: Simd>(simd: S, rays: &[Ray]) -> Self {
+        let mut low = f32x8::splat(simd, f32::INFINITY);
+        let mut high = f32x8::splat(simd, f32::NEG_INFINITY);
+        for Ray { origin: o, direction: d, .. } in rays {
+            let both = f32x8::from_slice(simd, &[o.x, o.y, o.z, d.x, d.y, d.z, 0.0, 0.0]);
+            low = both.simd_lt(low).select(both, low);
+            high = both.simd_gt(high).select(both, high);
         }
+        let mut around = Self { low: [0.0; 8], high: [0.0; 8] };
+        low.store_slice(&mut around.low);
+        high.store_slice(&mut around.high);
+        around
+    }
+
+    /// Both ends of one of the six intervals.
+    #[inline(always)]
+    fn ends(&self, of: usize) -> [f64; 2] {
+        [f64::from(self.low[of]), f64::from(self.high[of])]
     }
 }
 
@@ -64,8 +80,9 @@ impl Stretch {
 impl Bvh<'_> {
     /// Calls `follow` for one run of rays after the other, of all but those that pass the tree by.
     #[inline(always)]
-    pub(super) fn for_each_run(
+    pub(super) fn for_each_run<S: Simd>(
         &self,
+        simd: S,
         rays: &[Ray],
         interval: Interval,
         mut follow: impl FnMut(Range<usize>),
@@ -75,7 +92,7 @@ impl Bvh<'_> {
             let (mut end, mut passed) = (first, 0);
             while end < rays.len() && passed == 0 {
                 let crowd = &rays[end..rays.len().min(end + CROWD)];
-                if crowd.len() >= FEWEST && self.is_passed_by(crowd, interval) {
+                if crowd.len() >= FEWEST && self.is_passed_by(simd, crowd, interval) {
                     passed = crowd.len();
                 } else {
                     end += crowd.len();
@@ -91,27 +108,22 @@ impl Bvh<'_> {
     /// Whether none of the rays can meet anything in the tree, inside the interval. Says "no" when
     /// in doubt.
     #[inline(always)]
-    fn is_passed_by(&self, rays: &[Ray], interval: Interval) -> bool {
-        let (mut origin, mut direction) = (Around::NOTHING, Around::NOTHING);
-        for ray in rays {
-            origin.add(ray.origin);
-            direction.add(ray.direction);
-        }
-        let forward = interval.min >= 0.0;
-        forward && self.nodes.first().is_some_and(|root| passes(root, &origin, &direction, interval.max))
+    fn is_passed_by<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval) -> bool {
+        let (Some(root), true) = (self.nodes.first(), interval.min >= 0.0) else { return false };
+        passes(root, &Around::of(simd, rays), interval.max)
     }
 }
 
 /// Whether rays from O along D pass all boxes of a node by until `max`.
 #[inline(always)]
-fn passes(node: &WideNode, origin: &Around, direction: &Around, max: f32) -> bool {
+fn passes(node: &WideNode, rays: &Around, max: f32) -> bool {
     let last = f64::from(max) * (1.0 + ROOM);
     for child in 0..WIDTH {
         let mut stretch = Stretch { first: 0.0, last };
         let mut is_used = true;
         for axis in 0..3 {
             let [low, high] = [0, 1].map(|side| f64::from(node.side[axis][side][child]));
-            let [o, d] = [origin, direction].map(|v| [f64::from(v.low[axis]), f64::from(v.high[axis])]);
+            let (o, d) = (rays.ends(axis), rays.ends(DIRECTION + axis));
             let room = ROOM * (low.abs() + high.abs() + o[0].abs() + o[1].abs());
             is_used &= low <= high;
             stretch.keep(high + room - o[0], -d[0]);

@@ -61,6 +61,7 @@ impl Bvh<'_> {
             #[inline(always)]
             |rays, best, c| {
                 self.for_each_run(
+                    simd,
                     rays,
                     interval,
                     #[inline(always)]
@@ -86,6 +87,7 @@ impl Bvh<'_> {
             #[inline(always)]
             |rays, hit, c| {
                 self.for_each_run(
+                    simd,
                     rays,
                     interval,
                     #[inline(always)]
