@@ -78,7 +78,8 @@ impl<I: Copy> Generation<I> {
         };
         let mut mirrored = if fresnel { opaque_mirror(mixture) } else { mixture.blend(|m| m.reflective) };
         let mut opaque = true;
-        for pane in panes(mixture, !rules.skip_black) {
+        // Not a loop: what calls back is followed faster than what is asked for the next.
+        panes(mixture, !rules.skip_black).for_each(|pane| {
             opaque = false;
             let crossing = crossing(incoming, surface, pane.index_of_refraction);
             let mut color = pane.color;
@@ -89,7 +90,7 @@ impl<I: Copy> Generation<I> {
             }
             let refracted = crossing.refracted;
             self.refracted.extend(refracted.and_then(|direction| make(RayKind::Refracted, color, direction)));
-        }
+        });
         let skip_mirror = mirrored == Vec3::ZERO && rules.skip_black;
         if !skip_mirror {
             let direction = mirrored_direction(incoming, surface);

@@ -102,7 +102,7 @@ pub enum Skip {
     Inside,
     /// Mirrored and refracted rays of black weight
     Black,
-    /// Last rays inside a closed convex body with nothing else in it, whose colour is known
+    /// Last rays inside a closed body that is empty and dark, whose colour is known
     Known,
     /// Lights chosen for mirrors and glass, which send nothing on between two given directions
     Specular,
