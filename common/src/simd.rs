@@ -4,7 +4,7 @@
 //! run time, once per ray or tile, with [`dispatch!`]. Nothing that decides a picture depends
 //! on the choice: vector code only discards what is certainly missed.
 
-pub use fearless_simd::{Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f32x8, u32x8};
+pub use fearless_simd::{Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f32x8, f64x8, u32x8};
 use std::sync::OnceLock;
 
 /// Asks the memory for the cache line in which an array begins, without waiting for it.

@@ -6,7 +6,7 @@ use super::wide::{WIDTH, WideNode};
 use common::math::{Bounds, Vec3};
 use common::ray::Ray;
 use common::shape::filter::{Errors, Filter, MARGIN};
-use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// Rays in a packet.
 pub const RAYS: usize = 8;
@@ -232,6 +232,28 @@ impl Packet {
             let leave = f32x8::splat(simd, node.side[axis][first ^ 1][child]);
             near = near.max(enter.mul_sub(inverse, f32x8::from_slice(simd, &self.near_offset[axis])));
             far = far.min(leave.mul_sub(inverse, f32x8::from_slice(simd, &self.far_offset[axis])));
+        }
+        near.simd_le(far).to_bitmask() as u32
+    }
+}
+
+impl Packet {
+    /// A bit for every ray that may be inside of a box between `min` and its own entry of `max`,
+    /// whatever the directions' signs. The box may be as large as that of [`Packet::of`].
+    #[inline(always)]
+    pub fn rays_inside<S: Simd>(&self, simd: S, bounds: &Bounds, min: f32, max: &Lanes) -> u32 {
+        let (low, high) = (bounds.min, bounds.max);
+        let mut near = f32x8::splat(simd, min);
+        let mut far = f32x8::from_slice(simd, max);
+        for axis in 0..3 {
+            let inverse = f32x8::from_slice(simd, &self.inverse[axis]);
+            let near_offset = f32x8::from_slice(simd, &self.near_offset[axis]);
+            let far_offset = f32x8::from_slice(simd, &self.far_offset[axis]);
+            let backward = inverse.simd_lt(f32x8::splat(simd, 0.0));
+            let low = f32x8::splat(simd, low[axis].next_down());
+            let high = f32x8::splat(simd, high[axis].next_up());
+            near = near.max(backward.select(high, low).mul_sub(inverse, near_offset));
+            far = far.min(backward.select(low, high).mul_sub(inverse, far_offset));
         }
         near.simd_le(far).to_bitmask() as u32
     }
