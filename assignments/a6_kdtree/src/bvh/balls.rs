@@ -5,17 +5,17 @@
 //! it behind them; only the others are asked in double precision.
 
 use super::abreast::{Abreast, RAYS};
+use super::ball_hits::{all_met, any_of, nearest_of, places_of};
 use super::bundle::lanes_of;
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit, SolidShape};
 use common::math::Interval;
-use common::math::lanes::{add, each, load, multiply, narrow, scale, subtract, sum3, widen};
+use common::math::lanes::{each, load, subtract};
 use common::ray::Ray;
-use common::shape::ExactRay;
-use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8, f64x8};
+use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// More balls are faster in the tree; a multiple of eight.
-const MOST: usize = 16;
+pub const MOST: usize = 16;
 
 /// By how much a ball is made larger, as a part of all coordinates that the test works with. With
 /// u = 2⁻²⁴ the centre is off by u, the way to it by another u, each component of the cross product
@@ -71,7 +71,7 @@ impl<S: Simd> Pairs<S> {
             let from = [x, y, z];
             let outside = dot(from, from).simd_gt(reach + floor);
             let leaving = dot(from, self.direction).simd_gt(f32x8::splat(simd, 0.0));
-            passed = passed | (outside & leaving);
+            passed |= outside & leaving;
         }
         let passed = passed.to_bitmask();
         !passed as u32 & 0xff
@@ -227,72 +227,4 @@ impl Balls {
         let met = places_of(self.met_by(simd, ray, interval.min >= 0.0));
         any_of(geometry, met, ray, interval, c)
     }
-}
-
-/// The numbers of the bits that are set.
-#[inline(always)]
-fn places_of(bits: u32) -> impl Iterator<Item = u32> {
-    (0..MOST as u32).filter(move |place| bits >> place & 1 == 1)
-}
-
-/// Where each of eight rays first meets the ball at `place` inside an interval, as
-/// [`Geometry::hit_solid`] finds it, and the ball's number; NaN for those that do not.
-#[inline(always)]
-fn all_met<S: Simd>(
-    simd: S,
-    geometry: &Geometry,
-    place: usize,
-    rays: &Abreast,
-    interval: Interval,
-) -> ([f32; RAYS], u32) {
-    let solid = &geometry.solids()[place];
-    let SolidShape::Sphere(ball) = &solid.shape else { return ([f32::NAN; RAYS], solid.primitive) };
-    let of = |x: f64| f64x8::splat(simd, x);
-    let origin = each(load(simd, &rays.origin), |x| widen(simd, x));
-    let direction = each(load(simd, &rays.direction), |x| widen(simd, x));
-    let length_squared = sum3(multiply(direction, direction));
-    let center = [of(ball.center.x), of(ball.center.y), of(ball.center.z)];
-    let (radius, zero) = (of(ball.radius), of(0.0));
-    let to_origin = subtract(origin, center);
-    let closest = -sum3(multiply(to_origin, direction)) / length_squared;
-    let offset = add(to_origin, scale(direction, closest));
-    let distance_squared = sum3(multiply(offset, offset));
-    let inside = distance_squared.simd_le(radius * radius);
-    let distance = distance_squared.sqrt();
-    let gap = radius - distance;
-    let gap = gap.simd_gt(zero).select(gap, zero);
-    let half_chord = (gap * (radius + distance) / length_squared).sqrt();
-    let (none, min, max) =
-        (f32x8::splat(simd, f32::NAN), f32x8::splat(simd, interval.min), f32x8::splat(simd, interval.max));
-    let counts = |t: f64x8<S>, instead: f32x8<S>| {
-        let t = narrow(simd, inside.select(t, of(f64::NAN)));
-        (t.simd_gt(min) & t.simd_lt(max)).select(t, instead)
-    };
-    (*counts(closest - half_chord, counts(closest + half_chord, none)), solid.primitive)
-}
-
-/// The better of `best` and the first hit among solids at these places.
-fn nearest_of(
-    geometry: &Geometry,
-    places: impl Iterator<Item = u32>,
-    ray: &Ray,
-    interval: Interval,
-    best: Option<Hit>,
-    c: &mut Counters,
-) -> Option<Hit> {
-    if !ray.is_usable() {
-        return best;
-    }
-    geometry.nearest_solid(places, &ExactRay::new(ray), interval, best, c)
-}
-
-/// Whether any of the solids at these places is hit.
-fn any_of(
-    geometry: &Geometry,
-    places: impl Iterator<Item = u32>,
-    ray: &Ray,
-    interval: Interval,
-    c: &mut Counters,
-) -> bool {
-    ray.is_usable() && geometry.any_solid(places, &ExactRay::new(ray), interval, c)
 }

@@ -203,10 +203,10 @@ impl Bvh<'_> {
         queue.packet = Packet::of(simd, rays, &self.bounds);
         queue.asked = queue.packet.usable & ((1 << rays.len()) - 1);
         let mut last = [f32::NEG_INFINITY; RAYS];
-        for lane in 0..rays.len() {
+        for (lane, last) in last.iter_mut().enumerate().take(rays.len()) {
             let settled = purpose.is_settled(queue.first + lane);
             queue.asked &= !(u32::from(settled) << lane);
-            last[lane] = limit(purpose.last(queue.first + lane), queue.packet.margin(lane));
+            *last = limit(purpose.last(queue.first + lane), queue.packet.margin(lane));
         }
         queue.asked &= queue.packet.rays_inside(simd, &self.bounds, interval.min, &last);
         if queue.asked == 0 {

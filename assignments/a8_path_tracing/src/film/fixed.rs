@@ -58,11 +58,11 @@ impl Batch {
         if !(fits(sample[0]) & fits(sample[1]) & fits(sample[2])) {
             return false;
         }
-        for channel in 0..3 {
-            let x = f64::from(sample[channel]);
+        for (x, (high_sum, low_sum)) in sample.into_iter().zip(self.high.iter_mut().zip(&mut self.low)) {
+            let x = f64::from(x);
             let high = (x + SHIFT) - SHIFT;
-            self.high[channel] += high;
-            self.low[channel] += x - high;
+            *high_sum += high;
+            *low_sum += x - high;
         }
         true
     }

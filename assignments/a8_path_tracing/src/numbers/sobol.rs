@@ -65,8 +65,8 @@ pub fn all_scrambled(points: [[u32; LANES]; 2], keys: [u64; LANES]) -> [[f64; LA
         for lane in 0..LANES {
             bits[lane] = owen_reversed(bits[lane], keys[lane]);
         }
-        for lane in 0..LANES {
-            bits[lane] = bits[lane].reverse_bits();
+        for bits in &mut bits {
+            *bits = bits.reverse_bits();
         }
         for lane in 0..LANES {
             units[lane] = unit(bits[lane]);

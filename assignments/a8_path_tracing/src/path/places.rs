@@ -144,8 +144,8 @@ impl<'b, S: Simd> Places<'b, S> {
         for lane in 0..LANES {
             let path = &paths[block.path[lane] as usize];
             streams[lane] = path.stream;
-            for axis in 0..3 {
-                throughput[axis][lane] = path.throughput[axis];
+            for (axis, lanes) in throughput.iter_mut().enumerate() {
+                lanes[lane] = path.throughput[axis];
             }
         }
         Self {

@@ -44,10 +44,10 @@ impl PathTracer<'_> {
         generation: u32,
     ) {
         let mut incoming = [[0.0; LANES]; 3];
-        for lane in 0..places.count {
-            let direction = scratch.rays[places.block.path[lane] as usize].direction;
-            for axis in 0..3 {
-                incoming[axis][lane] = direction[axis];
+        for (lane, number) in places.block.path.iter().enumerate().take(places.count) {
+            let direction = scratch.rays[*number as usize].direction;
+            for (axis, lanes) in incoming.iter_mut().enumerate() {
+                lanes[lane] = direction[axis];
             }
         }
         let incoming = each(load(simd, &incoming), |d| widen(simd, d));
