@@ -2,10 +2,11 @@
 //!
 //! A default build runs on any x86-64; the widest instructions the processor has are chosen at
 //! run time, once per ray or tile, with [`dispatch!`]. Nothing that decides a picture depends
-//! on the choice: vector code only discards what is certainly missed.
+//! on the choice: vector code only discards what is certainly missed, or does for eight what is done
+//! for one, step by step, so that each has the bits that it would have alone ([`crate::math::lanes`]).
 
 pub use fearless_simd::{
-    Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f32x8, f64x4, mask64x4, u32x8,
+    Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f32x8, f64x4, f64x8, mask64x4, u32x8,
 };
 use std::sync::OnceLock;
 

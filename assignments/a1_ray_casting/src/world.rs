@@ -5,7 +5,7 @@
 //! need not know where it comes from; up to assignment 5 the world is the [`Scene`] itself.
 
 use common::geometry::Surface;
-use common::math::Vec3;
+use common::math::{DVec3, Vec3};
 use common::scene::{Material, PhongMaterial, Scene};
 use std::borrow::Cow;
 
@@ -17,6 +17,13 @@ pub trait World: Sync {
     /// The material of this index if it is the same all over; `None` if only a point can tell.
     /// Lets a caller that has not worked out the surface point do without it.
     fn plain(&self, index: u32) -> Option<&PhongMaterial>;
+
+    /// The plain material that a surface of this material is made of at a point, if it is one and the
+    /// point alone can tell.
+    fn leaf(&self, material: u32, point: DVec3) -> Option<u32> {
+        let _ = point;
+        self.plain(material).map(|_| material)
+    }
 
     /// What the surface is made of at this point.
     fn at(&self, surface: &Surface) -> Mixture<'_>;

@@ -1,6 +1,7 @@
 //! A7T4: points of a lens.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+use common::math::circle::{DOUBLE, sine_and_cosine};
+use std::f64::consts::{FRAC_PI_4, TAU};
 
 /// The shape of a lens's opening, of radius 1 about its middle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,14 +40,13 @@ impl Aperture {
 /// between disk and square", 1997).
 pub fn disc([u, v]: [f64; 2]) -> (f64, f64) {
     let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
-    if x == 0.0 && y == 0.0 {
+    let is_wide = x.abs() > y.abs();
+    let (radius, aside) = if is_wide { (x, y) } else { (y, x) };
+    if radius == 0.0 {
         return (0.0, 0.0);
     }
-    let (radius, angle) = match x.abs() > y.abs() {
-        true => (x, FRAC_PI_4 * (y / x)),
-        false => (y, FRAC_PI_2 - FRAC_PI_4 * (x / y)),
-    };
-    (radius * angle.cos(), radius * angle.sin())
+    let (sine, cosine) = sine_and_cosine(FRAC_PI_4 * (aside / radius), DOUBLE, |c| c);
+    if is_wide { (radius * cosine, radius * sine) } else { (radius * sine, radius * cosine) }
 }
 
 /// u chooses one of the triangles between the centre and two neighbouring corners, and the place

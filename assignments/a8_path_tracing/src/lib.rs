@@ -7,6 +7,7 @@
 
 mod args;
 pub mod bsdf;
+mod eight;
 pub mod film;
 mod fingerprint;
 pub mod light;

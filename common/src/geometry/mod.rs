@@ -6,6 +6,7 @@
 //! `f32` once, so shared corners stay shared; spheres under similarities and planes under any
 //! map stay what they are; only a sphere under a general map keeps its matrix.
 
+mod abreast;
 mod body;
 mod build;
 mod facet;
@@ -18,6 +19,7 @@ mod surface;
 mod tests;
 mod uv;
 
+pub use abreast::{Abreast, Round};
 pub use build::GeometryError;
 pub use hit::{Hit, hit_triangle, hit_triangle_with};
 pub use placed::PlacedMesh;
@@ -99,6 +101,9 @@ pub(crate) enum RunKind {
     Sheet,
 }
 
+/// As many runs are looked at all at once.
+const FEW_RUNS: usize = 16;
+
 /// All primitives of a scene in world space.
 #[derive(Clone, Debug, Default)]
 pub struct Geometry {
@@ -109,6 +114,8 @@ pub struct Geometry {
     pub(crate) solids: Vec<Solid>,
     pub(crate) sheets: Vec<Sheet>,
     pub(crate) runs: Vec<Run>,
+    /// The first primitive of each run if they are few; of runs that there are not, none.
+    pub(crate) first_of_few: Option<[u32; FEW_RUNS]>,
     pub(crate) bounds: Option<Bounds>,
 }
 
@@ -236,9 +243,19 @@ impl Geometry {
         })
     }
 
+    /// Index of the run that a primitive belongs to.
+    #[inline]
+    fn run_of(&self, primitive: u32) -> usize {
+        match &self.first_of_few {
+            // Counted without a branch: which run it is nobody can guess.
+            Some(first) => first.iter().map(|first| usize::from(*first <= primitive)).sum::<usize>() - 1,
+            None => self.runs.partition_point(|r| r.first <= primitive) - 1,
+        }
+    }
+
     /// Where a primitive is kept: its run and its position in the array of its kind.
     pub(crate) fn locate(&self, primitive: u32) -> (&Run, usize) {
-        let run = &self.runs[self.runs.partition_point(|r| r.first <= primitive) - 1];
+        let run = &self.runs[self.run_of(primitive)];
         (run, (run.start + primitive - run.first) as usize)
     }
 

@@ -50,11 +50,17 @@ impl Surface {
         self.departure().towards(direction)
     }
 
-    /// Where rays start that leave this point, for whoever sends several.
-    pub fn departure(&self) -> Departure {
+    /// How far beside the surface rays start.
+    #[inline]
+    pub fn away(&self) -> f64 {
         let n = self.geometric_normal;
         // Twice the bound: once for the surface, once for the rounding of the start itself.
-        let away = 2.0 * sum3(n.x.abs() * self.error.x, n.y.abs() * self.error.y, n.z.abs() * self.error.z);
+        2.0 * sum3(n.x.abs() * self.error.x, n.y.abs() * self.error.y, n.z.abs() * self.error.z)
+    }
+
+    /// Where rays start that leave this point, for whoever sends several.
+    pub fn departure(&self) -> Departure {
+        let (n, away) = (self.geometric_normal, self.away());
         let beside = |side: DVec3| (self.point + side * away).as_vec3();
         Departure { normal: n, front: beside(n), back: beside(-n) }
     }
@@ -79,9 +85,17 @@ impl Departure {
 /// Bound of |p₃₂ − p| per axis: one rounding to `f32`, the `f64` arithmetic on coordinates of
 /// size `scale` before it, and the smallest subnormal for points at the origin.
 fn error_bound(p: DVec3, scale: f64) -> DVec3 {
-    let double_precision = scale * 2f64.powi(-48) + 2f64.powi(-149);
-    p.abs() * (UNIT_ROUNDOFF * 1.0000001) + DVec3::splat(double_precision)
+    p.abs() * SINGLE + DVec3::splat(scale * DOUBLE + SUBNORMAL)
 }
+
+/// One rounding to `f32`, relative.
+pub(super) const SINGLE: f64 = UNIT_ROUNDOFF * 1.0000001;
+
+/// The `f64` arithmetic, relative.
+pub(super) const DOUBLE: f64 = 1.0 / (1u64 << 48) as f64;
+
+/// The smallest subnormal, 2⁻¹⁴⁹.
+pub(super) const SUBNORMAL: f64 = f32::from_bits(1) as f64;
 
 impl Geometry {
     /// The surface point of a hit that `ray` made.

@@ -1,12 +1,13 @@
 //! Who comes first; smooth normals and texture coordinates on placed shapes.
 
-use super::{Geometry, Hit, Surface, facing, hit_triangle};
+use super::{Abreast, Geometry, Hit, Round, Surface, facing, hit_triangle};
 use crate::accel::{Accel, List};
 use crate::math::{DMat4, DVec3, Interval, Vec2, Vec3};
 use crate::mesh::{Mesh, MeshError};
 use crate::ray::Ray;
 use crate::scene::{MeshSource, parse_str};
 use crate::shape::ExactRay;
+use crate::simd::{self, Simd, SimdBase, dispatch, f64x8};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -242,4 +243,65 @@ fn surface_points_have_the_same_bits_with_and_without_facets() {
             assert_eq!(with.surface(&ray, &hit), without.surface(&ray, &hit));
         }
     }
+}
+
+/// Balls and planes, eight rays at a time, on every instruction set: what each ray sees alone.
+#[test]
+fn points_side_by_side_are_those_of_each() {
+    let objects = [
+        "Sphere { center 1 2 3 radius 0.7 }",
+        "Transform { UniformScale 3 Sphere { center -40 0.1 7 radius 2.5 } }",
+        "Plane { normal 0.3 1 -0.2 offset -1.7 }",
+        "Plane { normal 0 1 0 offset 0 }",
+        "TriangleMesh { obj_file octahedron }",
+    ];
+    let geometry = geometry(octahedron(), 0, &objects);
+    let mut checked = 0;
+    for name in ["baseline", "sse4", "avx2"] {
+        let Some(level) = simd::by_name(name) else { continue };
+        for (first, primitive) in (0..400u32).zip((0..4).cycle()) {
+            checked += dispatch!(level, s => compare_eight(s, &geometry, first, primitive));
+        }
+    }
+    assert!(checked >= 3200);
+    assert!(matches!(geometry.round(4).0, Round::Other));
+}
+
+/// Compares eight made-up hits of a primitive; returns how many.
+fn compare_eight<S: Simd>(simd: S, geometry: &Geometry, first: u32, primitive: u32) -> usize {
+    let number = |i: u32| (i.wrapping_mul(2_654_435_761) >> 8) as f32 / (1 << 23) as f32 - 1.0;
+    let vector = |i: u32| Vec3::new(number(i), number(i + 7919), number(i + 104_729));
+    let rays: Vec<Ray> =
+        (0..8).map(|k| Ray::new(vector(first * 8 + k) * 9.0, vector(first * 8 + k + 77_777))).collect();
+    let t = |k: usize| 1.0 + number(k as u32 + first);
+    let surfaces: Vec<Surface> = rays
+        .iter()
+        .enumerate()
+        .map(|(k, ray)| geometry.surface(ray, &Hit { t: t(k), primitive, u: 0.0, v: 0.0 }))
+        .collect();
+    let near: Vec<DVec3> = rays.iter().enumerate().map(|(k, ray)| ray.at(f64::from(t(k)))).collect();
+    let near = [0, 1, 2].map(|axis| {
+        let all: [f64; 8] = std::array::from_fn(|k| near[k][axis]);
+        f64x8::from_slice(simd, &all)
+    });
+    let of = |v: DVec3| [v.x, v.y, v.z].map(|x| f64x8::splat(simd, x));
+    let (abreast, error) = match geometry.round(primitive).0 {
+        Round::Ball(ball) => Abreast::on_balls(simd, of(ball.center), f64x8::splat(simd, ball.radius), near),
+        Round::Plane(plane) => {
+            Abreast::on_planes(simd, of(plane.normal), f64x8::splat(simd, plane.offset), near)
+        }
+        Round::Other => unreachable!("only balls and planes are asked for"),
+    };
+    let starts = [1.0, -1.0].map(|sign| abreast.beside(simd, f64x8::splat(simd, sign)));
+    for (k, surface) in surfaces.iter().enumerate() {
+        let lane = |v: &[f64x8<S>; 3]| DVec3::new(v[0][k], v[1][k], v[2][k]);
+        assert_eq!(lane(&abreast.point), surface.point);
+        assert_eq!(lane(&abreast.normal), surface.geometric_normal);
+        assert_eq!(lane(&error), surface.error);
+        assert_eq!(abreast.away[k], surface.away());
+        for (start, side) in starts.iter().zip([surface.geometric_normal, -surface.geometric_normal]) {
+            assert_eq!(Vec3::new(start[0][k], start[1][k], start[2][k]), surface.leave(side));
+        }
+    }
+    surfaces.len()
 }

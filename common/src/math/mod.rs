@@ -4,8 +4,10 @@
 
 pub mod affine;
 pub mod bounds;
+pub mod circle;
 pub mod exact;
 pub mod interval;
+pub mod lanes;
 
 pub use affine::Affine;
 pub use bounds::Bounds;

@@ -5,10 +5,11 @@
 //! while O₋ + t·D₋ ≤ B₊ and O₊ + t·D₊ ≥ B₋, so from one t to another; if no t is left after all
 //! axes, no ray of them meets the box. Signs of directions do not matter.
 
+use super::packet::{Lanes, Packet};
 use super::wide::{Bvh, WIDTH, WideNode};
-use common::math::Interval;
+use common::math::{Bounds, Interval};
 use common::ray::Ray;
-use common::simd::{Select, Simd, SimdBase, f32x8};
+use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 use std::ops::Range;
 
 /// Rays that are asked about together. Fewer are in one place more often, and cost more questions.
@@ -136,4 +137,26 @@ fn passes(node: &WideNode, rays: &Around, max: f32) -> bool {
         }
     }
     true
+}
+
+impl Packet {
+    /// A bit for every ray that may be inside of a box between `min` and its own entry of `max`,
+    /// whatever the directions' signs. The box may be as large as that of [`Packet::of`].
+    #[inline(always)]
+    pub fn rays_inside<S: Simd>(&self, simd: S, bounds: &Bounds, min: f32, max: &Lanes) -> u32 {
+        let (low, high) = (bounds.min, bounds.max);
+        let mut near = f32x8::splat(simd, min);
+        let mut far = f32x8::from_slice(simd, max);
+        for axis in 0..3 {
+            let inverse = f32x8::from_slice(simd, &self.inverse[axis]);
+            let near_offset = f32x8::from_slice(simd, &self.near_offset[axis]);
+            let far_offset = f32x8::from_slice(simd, &self.far_offset[axis]);
+            let backward = inverse.simd_lt(f32x8::splat(simd, 0.0));
+            let low = f32x8::splat(simd, low[axis].next_down());
+            let high = f32x8::splat(simd, high[axis].next_up());
+            near = near.max(backward.select(high, low).mul_sub(inverse, near_offset));
+            far = far.min(backward.select(low, high).mul_sub(inverse, far_offset));
+        }
+        near.simd_le(far).to_bitmask() as u32
+    }
 }

@@ -3,11 +3,12 @@
 //! First a binary tree, from the root down, by cutting sets in two; then the wide one that
 //! [`super::collapse`] finds in it.
 
+use super::balls::Balls;
 use super::collapse::{Children, Twig, join};
 use super::set::{Desk, Set};
 use super::split::{Item, Lanes};
 use super::wide::{Bvh, Child, EMPTY_NODE, WideNode};
-use common::geometry::Geometry;
+use common::geometry::{Geometry, Solid};
 use common::math::{Bounds, Vec3};
 use common::shape::triangle_block::{LANES, TriangleBlock};
 use rayon::prelude::*;
@@ -27,7 +28,9 @@ impl<'g> Bvh<'g> {
     pub fn new(geometry: &'g Geometry) -> Self {
         let (numbers, vertices) = (geometry.triangle_numbers(), geometry.triangles());
         let numbered = |i: u32| (numbers[i as usize], vertices[i as usize]);
-        Self::grow(geometry, items(geometry), (geometry.solids().len(), 2), numbered)
+        let balls = Balls::of(geometry);
+        let solids = if balls.is_empty() { geometry.solids() } else { &[] };
+        Self { balls, ..Self::grow(geometry, items(geometry, solids), (solids.len(), 2), numbered) }
     }
 
     /// Builds over boxes of triangles, of which `numbered` knows number and corners, and of
@@ -81,14 +84,14 @@ impl<'g> Bvh<'g> {
         let blocks = part.leaves.par_iter().with_min_len(256).map(pack).collect();
         order.truncate(solids);
         let solids = order;
-        let horizons = OnceLock::new();
-        Self { geometry, nodes: part.nodes, blocks, solids, bounds, depth: part.depth, horizons }
+        let (balls, horizons) = (Balls::NONE, OnceLock::new());
+        Self { geometry, nodes: part.nodes, blocks, solids, balls, bounds, depth: part.depth, horizons }
     }
 }
 
-/// All finite primitives, solids first; each kind numbered by itself.
-fn items(geometry: &Geometry) -> Vec<Item> {
-    let (triangles, solids) = (geometry.triangles(), geometry.solids());
+/// These solids and all triangles; each kind numbered by itself.
+fn items(geometry: &Geometry, solids: &[Solid]) -> Vec<Item> {
+    let triangles = geometry.triangles();
     let item = |place: usize| match place.checked_sub(solids.len()) {
         None => Item::new(&roomy(&solids[place].bounds), place as u32),
         Some(i) => {

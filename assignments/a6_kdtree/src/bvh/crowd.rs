@@ -8,7 +8,7 @@ use super::bundle::{Bundle, lanes_of};
 use super::frustum::starts_together;
 use super::packet::{Packet, RAYS};
 use super::purpose::{At, Purpose};
-use super::single::Query;
+use super::single::{Query, limit};
 use super::slot::{DEEPEST, Slot};
 use super::wide::Bvh;
 use common::accel::Job;
@@ -201,10 +201,16 @@ impl Bvh<'_> {
         queue.seen = queue.rays.len().min(queue.first + RAYS);
         let rays = &queue.rays[queue.first..queue.seen];
         queue.packet = Packet::of(simd, rays, &self.bounds);
-        queue.asked = queue.packet.usable;
-        for lane in 0..RAYS {
-            let settled = lane >= rays.len() || purpose.is_settled(queue.first + lane);
+        queue.asked = queue.packet.usable & ((1 << rays.len()) - 1);
+        let mut last = [f32::NEG_INFINITY; RAYS];
+        for (lane, last) in last.iter_mut().enumerate().take(rays.len()) {
+            let settled = purpose.is_settled(queue.first + lane);
             queue.asked &= !(u32::from(settled) << lane);
+            *last = limit(purpose.last(queue.first + lane), queue.packet.margin(lane));
+        }
+        queue.asked &= queue.packet.rays_inside(simd, &self.bounds, interval.min, &last);
+        if queue.asked == 0 {
+            return;
         }
         if let Some(frustum) = self.frustum(&queue.packet, rays.len()) {
             let bundle =

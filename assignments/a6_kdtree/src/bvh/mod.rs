@@ -5,7 +5,10 @@
 //! boxes at once (Dammertz, Hanika & Keller 2008; Wald, Benthin & Boulos 2008). Leaves are blocks
 //! of eight triangles, as the list has them.
 
+mod abreast;
 mod aside;
+mod ball_hits;
+mod balls;
 pub(crate) mod beam;
 pub(crate) mod build;
 mod bundle;

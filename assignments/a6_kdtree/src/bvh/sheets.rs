@@ -3,15 +3,13 @@
 //! The arithmetic is that of [`common::shape::plane::intersect`], step by step: without fused
 //! operations, so that side by side every ray gets the bits that it would get alone.
 
+use super::abreast::{Abreast, RAYS};
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit, Sheet};
 use common::math::{Interval, sum3};
 use common::ray::Ray;
 use common::shape::ExactRay;
 use common::shape::plane::Plane;
-
-/// Rays side by side.
-const RAYS: usize = 8;
 
 /// One number for each ray.
 type Lanes = [f64; RAYS];
@@ -27,17 +25,15 @@ struct Widened {
 }
 
 impl Widened {
-    /// One to eight rays; unused places hold rays that hit nothing.
+    /// Of rays side by side.
     #[inline(always)]
-    fn of(rays: &[Ray]) -> Self {
+    fn of(rays: &Abreast) -> Self {
         let nowhere = [[0.0; RAYS]; 3];
-        let mut wide =
-            Self { origin: nowhere, direction: nowhere, usable: [false; RAYS], home: [Ray::ANYWHERE; RAYS] };
-        for (lane, ray) in rays.iter().enumerate().take(RAYS) {
-            wide.home[lane] = ray.home;
-            for axis in 0..3 {
-                wide.origin[axis][lane] = f64::from(ray.origin[axis]);
-                wide.direction[axis][lane] = f64::from(ray.direction[axis]);
+        let mut wide = Self { origin: nowhere, direction: nowhere, usable: [false; RAYS], home: rays.home };
+        for axis in 0..3 {
+            for lane in 0..RAYS {
+                wide.origin[axis][lane] = f64::from(rays.origin[axis][lane]);
+                wide.direction[axis][lane] = f64::from(rays.direction[axis][lane]);
             }
         }
         for lane in 0..RAYS {
@@ -91,70 +87,69 @@ impl Widened {
     }
 }
 
-/// Whether none of the rays can meet any plane or disc, as they all leave the only one there is.
+/// Whether none of the rays can meet any plane or disc: there is none, or all leave the only one.
 #[inline(always)]
 fn all_leave(sheets: &[Sheet], rays: &[Ray]) -> bool {
-    matches!(sheets, [only] if rays.iter().all(|ray| ray.home == only.primitive))
+    match sheets {
+        [] => true,
+        [only] => rays.iter().all(|ray| ray.home == only.primitive),
+        _ => false,
+    }
 }
 
-/// The first hit of each ray among planes and discs, as [`Geometry::nearest_sheet`] finds it.
+/// The first hit of each of up to eight rays among planes and discs, as
+/// [`Geometry::nearest_sheet`] finds it.
 #[inline(always)]
 pub fn nearest(
     geometry: &Geometry,
-    rays: &[Ray],
+    (rays, abreast): (&[Ray], &Abreast),
     interval: Interval,
     hits: &mut [Option<Hit>],
     c: &mut Counters,
 ) {
     let sheets = geometry.sheets();
-    if sheets.is_empty() {
+    if all_leave(sheets, rays) {
         return hits.fill(None);
     }
-    for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
-        if all_leave(sheets, rays) {
-            hits.fill(None);
-            continue;
+    let wide = Widened::of(abreast);
+    let (mut first, mut number) = ([f32::INFINITY; RAYS], [0; RAYS]);
+    for (index, sheet) in sheets.iter().enumerate() {
+        let t = wide.meet(rays, geometry, index, interval);
+        for lane in 0..RAYS {
+            c.intersections += u64::from(wide.is_asked(lane, sheet));
+            // Sheets come in order of their numbers, so that an equal t changes nothing.
+            let nearer = t[lane] < first[lane];
+            first[lane] = if nearer { t[lane] } else { first[lane] };
+            number[lane] = if nearer { sheet.primitive } else { number[lane] };
         }
-        let wide = Widened::of(rays);
-        let (mut first, mut number) = ([f32::INFINITY; RAYS], [0; RAYS]);
-        for (index, sheet) in sheets.iter().enumerate() {
-            let t = wide.meet(rays, geometry, index, interval);
-            for lane in 0..RAYS {
-                c.intersections += u64::from(wide.is_asked(lane, sheet));
-                // Sheets come in order of their numbers, so that an equal t changes nothing.
-                let nearer = t[lane] < first[lane];
-                first[lane] = if nearer { t[lane] } else { first[lane] };
-                number[lane] = if nearer { sheet.primitive } else { number[lane] };
-            }
-        }
-        for (lane, hit) in hits.iter_mut().enumerate() {
-            let found = Hit { t: first[lane], primitive: number[lane], u: 0.0, v: 0.0 };
-            *hit = (first[lane] < f32::INFINITY).then_some(found);
-        }
+    }
+    for (lane, hit) in hits.iter_mut().enumerate() {
+        let found = Hit { t: first[lane], primitive: number[lane], u: 0.0, v: 0.0 };
+        *hit = (first[lane] < f32::INFINITY).then_some(found);
     }
 }
 
-/// Whether each ray hits any plane or disc, as [`Geometry::any_sheet`] finds it.
+/// Whether each of up to eight rays hits any plane or disc, as [`Geometry::any_sheet`] finds it.
 #[inline(always)]
-pub fn any(geometry: &Geometry, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
+pub fn any(
+    geometry: &Geometry,
+    (rays, abreast): (&[Ray], &Abreast),
+    interval: Interval,
+    hit: &mut [bool],
+    c: &mut Counters,
+) {
     let sheets = geometry.sheets();
-    if sheets.is_empty() {
+    if all_leave(sheets, rays) {
         return hit.fill(false);
     }
-    for (rays, hit) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {
-        if all_leave(sheets, rays) {
-            hit.fill(false);
-            continue;
+    let wide = Widened::of(abreast);
+    let mut blocked = [false; RAYS];
+    for (index, sheet) in sheets.iter().enumerate() {
+        let t = wide.meet(rays, geometry, index, interval);
+        for lane in 0..RAYS {
+            c.intersections += u64::from(wide.is_asked(lane, sheet) & !blocked[lane]);
+            blocked[lane] |= !t[lane].is_nan();
         }
-        let wide = Widened::of(rays);
-        let mut blocked = [false; RAYS];
-        for (index, sheet) in sheets.iter().enumerate() {
-            let t = wide.meet(rays, geometry, index, interval);
-            for lane in 0..RAYS {
-                c.intersections += u64::from(wide.is_asked(lane, sheet) & !blocked[lane]);
-                blocked[lane] |= !t[lane].is_nan();
-            }
-        }
-        hit.copy_from_slice(&blocked[..hit.len()]);
     }
+    hit.copy_from_slice(&blocked[..hit.len()]);
 }

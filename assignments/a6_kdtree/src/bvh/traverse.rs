@@ -1,5 +1,6 @@
 //! Questions to the tree: one ray, or many.
 
+use super::abreast::{Abreast, RAYS};
 use super::frustum::Frustum;
 use super::packet::Packet;
 use super::purpose::{Blocked, Nearest};
@@ -15,7 +16,8 @@ use common::ray::Ray;
 use common::simd::{self, Simd, dispatch};
 
 impl Bvh<'_> {
-    /// The better of `best` and the first hit of what is in the tree, without planes.
+    /// The better of `best` and the first hit of what is in the tree, without planes and what else
+    /// stands beside it.
     #[inline(always)]
     pub(crate) fn nearest_alone<S: Simd>(
         &self,
@@ -29,7 +31,7 @@ impl Bvh<'_> {
         self.nearest_one(simd, &Query { packet, lane: 0, ray, interval }, &mut Stack::new(), best, c)
     }
 
-    /// Whether anything in the tree is hit, without planes.
+    /// Whether anything in the tree is hit, without what stands beside it.
     #[inline(always)]
     pub(crate) fn any_alone<S: Simd>(
         &self,
@@ -40,6 +42,46 @@ impl Bvh<'_> {
     ) -> bool {
         let packet = &Packet::alone(simd, ray, &self.bounds);
         self.any_one(simd, &Query { packet, lane: 0, ray, interval }, &mut Stack::new(), c)
+    }
+
+    /// The first hit of each ray among what stands beside the tree.
+    #[inline(always)]
+    fn nearest_beside<S: Simd>(
+        &self,
+        simd: S,
+        rays: &[Ray],
+        interval: Interval,
+        hits: &mut [Option<Hit>],
+        c: &mut Counters,
+    ) {
+        if self.geometry.sheets().is_empty() && self.balls.is_empty() {
+            return hits.fill(None);
+        }
+        for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
+            let abreast = Abreast::of(rays);
+            sheets::nearest(self.geometry, (rays, &abreast), interval, hits, c);
+            self.balls.nearest(simd, self.geometry, (rays, &abreast), interval, hits, c);
+        }
+    }
+
+    /// Whether each ray hits anything that stands beside the tree.
+    #[inline(always)]
+    fn any_beside<S: Simd>(
+        &self,
+        simd: S,
+        rays: &[Ray],
+        interval: Interval,
+        hit: &mut [bool],
+        c: &mut Counters,
+    ) {
+        if self.geometry.sheets().is_empty() && self.balls.is_empty() {
+            return hit.fill(false);
+        }
+        for (rays, hit) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {
+            let abreast = Abreast::of(rays);
+            sheets::any(self.geometry, (rays, &abreast), interval, hit, c);
+            self.balls.any(simd, self.geometry, (rays, &abreast), interval, hit, c);
+        }
     }
 
     #[inline(always)]
@@ -122,7 +164,10 @@ impl Accel for Bvh<'_> {
         if self.nodes.is_empty() {
             return best;
         }
-        dispatch!(simd::level(), s => self.nearest_alone(s, ray, interval, best, counters))
+        dispatch!(simd::level(), s => {
+            let best = self.balls.nearest_alone(s, self.geometry, ray, interval, best, counters);
+            self.nearest_alone(s, ray, interval, best, counters)
+        })
     }
 
     fn any(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> bool {
@@ -132,7 +177,11 @@ impl Accel for Bvh<'_> {
         if self.geometry.any_sheet(ray, interval, counters) {
             return true;
         }
-        !self.nodes.is_empty() && dispatch!(simd::level(), s => self.any_alone(s, ray, interval, counters))
+        !self.nodes.is_empty()
+            && dispatch!(simd::level(), s => {
+                self.balls.any_alone(s, self.geometry, ray, interval, counters)
+                    || self.any_alone(s, ray, interval, counters)
+            })
     }
 
     fn nearest_many(
@@ -143,10 +192,7 @@ impl Accel for Bvh<'_> {
         counters: &mut Counters,
     ) {
         assert_eq!(rays.len(), hits.len());
-        dispatch!(simd::level(), s => s.vectorize(
-            #[inline(always)]
-            || sheets::nearest(self.geometry, rays, interval, hits, counters),
-        ));
+        dispatch!(simd::level(), s => self.nearest_beside(s, rays, interval, hits, counters));
         if !self.nodes.is_empty() {
             dispatch!(simd::level(), s => self.nearest_in(s, rays, interval, hits, counters));
         }
@@ -154,10 +200,7 @@ impl Accel for Bvh<'_> {
 
     fn any_many(&self, rays: &[Ray], interval: Interval, hit: &mut [bool], counters: &mut Counters) {
         assert_eq!(rays.len(), hit.len());
-        dispatch!(simd::level(), s => s.vectorize(
-            #[inline(always)]
-            || sheets::any(self.geometry, rays, interval, hit, counters),
-        ));
+        dispatch!(simd::level(), s => self.any_beside(s, rays, interval, hit, counters));
         if !self.nodes.is_empty() {
             dispatch!(simd::level(), s => self.any_in(s, rays, interval, hit, counters));
         }

@@ -9,7 +9,8 @@ impl Bvh<'_> {
     /// once.
     pub(super) fn check(&self) -> Result<(), String> {
         let (numbers, triangles) = (self.geometry.triangle_numbers(), self.geometry.triangles());
-        let solids: Vec<Bounds> = self.geometry.solids().iter().map(|s| s.bounds).collect();
+        let solids = if self.balls.is_empty() { self.geometry.solids() } else { &[] };
+        let solids: Vec<Bounds> = solids.iter().map(|s| s.bounds).collect();
         let place = |number: u32| numbers.partition_point(|n| *n < number);
         self.check_over(triangles.len(), &solids, |number| {
             let place = place(number);

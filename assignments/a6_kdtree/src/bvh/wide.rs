@@ -1,5 +1,6 @@
 //! The wide tree: nodes of up to eight children, leaves of triangle blocks or solids.
 
+use super::balls::Balls;
 use super::horizon::Horizons;
 use common::geometry::Geometry;
 use common::math::Bounds;
@@ -94,13 +95,16 @@ impl Child {
     }
 }
 
-/// The hierarchy over a scene's finite primitives; planes are tested beside it.
+/// The hierarchy over a scene's finite primitives; planes, and balls if they are few, are tested
+/// beside it.
 pub struct Bvh<'g> {
     pub(crate) geometry: &'g Geometry,
     pub(crate) nodes: Vec<WideNode>,
     pub(crate) blocks: Vec<TriangleBlock>,
     pub(crate) solids: Vec<u32>,
-    /// Around everything in it.
+    /// Those that are not in it.
+    pub(super) balls: Balls,
+    /// Around everything in it, which are not the balls beside it.
     pub(crate) bounds: Bounds,
     pub(super) depth: usize,
     /// What rays that leave a triangle can still meet; worked out when the first of them comes.

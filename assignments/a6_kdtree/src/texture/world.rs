@@ -3,6 +3,7 @@
 use super::{Image, Pattern};
 use a1_ray_casting::{Mixture, Part, World};
 use common::geometry::{Geometry, Surface};
+use common::math::DVec3;
 use common::picture::PictureError;
 use common::scene::{ImageTexture, Material, PhongMaterial, Position, Scene};
 use std::borrow::Cow;
@@ -46,6 +47,14 @@ struct Leaf {
     plain: PhongMaterial,
     /// A picture that replaces its colour, and how many stand side by side along u and v.
     image: Option<(Arc<Image>, [f64; 2])>,
+}
+
+/// Where the way down from a material ends.
+enum Down<'s> {
+    /// At one that is no blend, with its index and weight.
+    Leaf(u32, &'s Leaf, f64),
+    /// At a blend of two that are both something, with their weights.
+    Parts([(u32, f64); 2]),
 }
 
 impl<'a> TexturedScene<'a> {
@@ -100,6 +109,22 @@ impl<'a> TexturedScene<'a> {
         weights
     }
 
+    /// Goes down as long as one part is all: nothing need be kept in order then.
+    #[inline]
+    fn descend(&self, mut index: u32, point: DVec3) -> Down<'_> {
+        let mut weight = 1.0;
+        loop {
+            let (pattern, children) = match &self.textures[index as usize] {
+                Texture::Leaf(leaf) => return Down::Leaf(index, leaf, weight),
+                Texture::Solid { pattern, children } => (pattern, *children),
+            };
+            match parts(weight, pattern.value(point), children) {
+                [Some(first), Some(second)] => return Down::Parts([first, second]),
+                [first, second] => (index, weight) = first.or(second).unwrap_or((children[0], weight)),
+            }
+        }
+    }
+
     /// What becomes of materials with these weights at a point.
     fn mixture<'s>(&'s self, surface: &Surface, weights: &[(&'s Leaf, f64)]) -> Mixture<'s> {
         if let [(Leaf { plain, image: None }, _)] = weights {
@@ -145,18 +170,18 @@ impl World for TexturedScene<'_> {
         }
     }
 
+    #[inline]
+    fn leaf(&self, material: u32, point: DVec3) -> Option<u32> {
+        match self.descend(material, point) {
+            Down::Leaf(index, Leaf { image: None, .. }, _) => Some(index),
+            _ => None,
+        }
+    }
+
     fn at(&self, surface: &Surface) -> Mixture<'_> {
-        let (mut index, mut weight) = (surface.material, 1.0);
-        // As long as one part is all, nothing need be kept in order.
-        let from = loop {
-            let (pattern, children) = match &self.textures[index as usize] {
-                Texture::Leaf(leaf) => return self.mixture(surface, &[(leaf, weight)]),
-                Texture::Solid { pattern, children } => (pattern, *children),
-            };
-            match parts(weight, pattern.value(surface.point), children) {
-                [Some(first), Some(second)] => break [first, second],
-                [first, second] => (index, weight) = first.or(second).unwrap_or((children[0], weight)),
-            }
+        let from = match self.descend(surface.material, surface.point) {
+            Down::Leaf(_, leaf, weight) => return self.mixture(surface, &[(leaf, weight)]),
+            Down::Parts(from) => from,
         };
         // The higher index comes first in any case.
         let [low, high] = if from[0].0 < from[1].0 { from } else { [from[1], from[0]] };

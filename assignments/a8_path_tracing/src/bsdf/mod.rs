@@ -78,6 +78,23 @@ impl Bsdf {
         self.chances[0] == 1.0
     }
 
+    /// The colour of a surface that only scatters light by the matt lobe.
+    #[inline]
+    pub fn matt_color(&self) -> Option<Vec3> {
+        self.is_matt().then_some(self.diffuse)
+    }
+
+    /// The colour of a surface that only mirrors light, or of one that is glass and nothing else, with
+    /// the index of refraction.
+    #[inline]
+    pub fn smooth_color(&self) -> Option<(Vec3, Option<f32>)> {
+        match self.chances {
+            [0.0, 0.0, 1.0, 0.0] => Some((self.mirror, None)),
+            [0.0, 0.0, 0.0, 1.0] => Some((self.glass, Some(self.index_of_refraction))),
+            _ => None,
+        }
+    }
+
     /// What is mirrored whatever the angle, what is shared by Fresnel's equations, and the index of
     /// refraction of that.
     pub fn specular_parts(&self) -> (Vec3, Vec3, f32) {

@@ -3,7 +3,8 @@
 use super::Bsdf;
 use a4_whitted::{mirror, refract};
 use common::math::Vec3;
-use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
+use common::math::circle::{SINGLE, sine_and_cosine};
+use std::f32::consts::FRAC_PI_4;
 
 /// Where a path goes on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,7 +79,7 @@ impl Bsdf {
 
 /// Where `u` lies between `from` and `from + length`, as a number in [0, 1).
 #[inline]
-fn within(u: f32, from: f32, length: f32) -> f32 {
+pub(crate) fn within(u: f32, from: f32, length: f32) -> f32 {
     ((u - from) / length).clamp(0.0, 1.0 - f32::EPSILON)
 }
 
@@ -87,13 +88,11 @@ fn within(u: f32, from: f32, length: f32) -> f32 {
 #[inline]
 fn disc([u, v]: [f32; 2]) -> (f32, f32) {
     let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
-    if x == 0.0 && y == 0.0 {
+    let is_wide = x.abs() > y.abs();
+    let (radius, aside) = if is_wide { (x, y) } else { (y, x) };
+    if radius == 0.0 {
         return (0.0, 0.0);
     }
-    let (radius, angle) = match x.abs() > y.abs() {
-        true => (x, FRAC_PI_4 * (y / x)),
-        false => (y, FRAC_PI_2 - FRAC_PI_4 * (x / y)),
-    };
-    let (sine, cosine) = angle.sin_cos();
-    (radius * cosine, radius * sine)
+    let (sine, cosine) = sine_and_cosine(FRAC_PI_4 * (aside / radius), SINGLE, |c| c as f32);
+    if is_wide { (radius * cosine, radius * sine) } else { (radius * sine, radius * cosine) }
 }

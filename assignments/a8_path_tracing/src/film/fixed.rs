@@ -31,6 +31,51 @@ pub fn from_finite(sample: f32) -> i128 {
     (magnitude ^ sign) - sign
 }
 
+/// Magnitudes that [`Batch`] takes, beside 0: their bits lie above the last of [`FRACTION_BITS`].
+const SMALLEST: f32 = 1.0 / (1u64 << 40) as f32;
+const LARGEST: f32 = 512.0;
+
+/// Most samples of a batch.
+pub const MOST: usize = 1024;
+
+/// What 2⁻³² is the last bit of.
+const SHIFT: f64 = 1.5 * (1 << 20) as f64;
+
+/// The sums of three channels over at most [`MOST`] samples that are neither very large nor very
+/// small, as exact as those of fixed-point numbers: of each sample the bits up to 2⁻³² go into one
+/// sum and the others into another, and 53 bits are enough for either.
+#[derive(Default)]
+pub struct Batch {
+    high: [f64; 3],
+    low: [f64; 3],
+}
+
+impl Batch {
+    /// Adds a sample; false, and nothing is done, if it is no sample for a batch.
+    #[inline]
+    pub fn add(&mut self, sample: [f32; 3]) -> bool {
+        let fits = |x: f32| x == 0.0 || (x.abs() >= SMALLEST && x.abs() < LARGEST);
+        if !(fits(sample[0]) & fits(sample[1]) & fits(sample[2])) {
+            return false;
+        }
+        for (x, (high_sum, low_sum)) in sample.into_iter().zip(self.high.iter_mut().zip(&mut self.low)) {
+            let x = f64::from(x);
+            let high = (x + SHIFT) - SHIFT;
+            *high_sum += high;
+            *low_sum += x - high;
+        }
+        true
+    }
+
+    /// The sums as fixed-point numbers.
+    pub fn sums(&self) -> [i128; 3] {
+        let whole = |x: f64, bits: i32| i128::from((x * 2f64.powi(bits)) as i64);
+        std::array::from_fn(|channel| {
+            (whole(self.high[channel], 32) << (FRACTION_BITS - 32)) + whole(self.low[channel], 64)
+        })
+    }
+}
+
 /// The mean of `count` samples with this sum; 0 if there are none.
 #[inline]
 pub fn mean(sum: i128, count: u32) -> f64 {
@@ -62,6 +107,32 @@ mod tests {
             // The product only changes the exponent: what rounds is the conversion, towards zero.
             let expected = (f64::from(x.clamp(-LIMIT, LIMIT)) * ONE) as i128;
             assert_eq!(from_f32(x), Some(expected), "{x}");
+        }
+    }
+
+    #[test]
+    fn batches_are_as_exact_as_sums_of_fixed_point_numbers() {
+        let mut word = 1u32;
+        for round in 0..200 {
+            let (mut batch, mut expected, mut taken) = (Batch::default(), [0; 3], 0);
+            for _ in 0..MOST {
+                let sample: [f32; 3] = std::array::from_fn(|_| {
+                    word = word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    // From far too small to a little too large, and the largest in some rounds.
+                    let x = f32::from_bits((word >> 1) % (12 << 23) + ((125 - round % 3 * 40) << 23));
+                    if round % 5 == 0 { LARGEST.next_down() } else { x * [1.0, -1.0][word as usize >> 31] }
+                });
+                let exact = sample.map(from_finite);
+                if batch.add(sample) {
+                    taken += 1;
+                    (0..3).for_each(|i| expected[i] += exact[i]);
+                }
+            }
+            assert_eq!(batch.sums(), expected);
+            assert!(taken > 0 || round % 3 == 2, "{round}");
+        }
+        for x in [f32::NAN, f32::INFINITY, LARGEST, SMALLEST.next_down()] {
+            assert!(!Batch::default().add([0.0, x, 0.0]), "{x}");
         }
     }
 

@@ -76,15 +76,10 @@ impl Layout {
     /// counted as 0.
     #[inline]
     pub fn add(self, sums: &mut [i128], found: &[Found]) -> u64 {
-        let mut bad = 0;
-        if self.aovs == [false; 3] {
-            let mut radiance = [0; 3];
-            found.iter().for_each(|found| bad += u64::from(!add_color(&mut radiance, found.radiance)));
-            sums.iter_mut().zip(radiance).for_each(|(sum, more)| *sum += more);
-        } else {
-            found.iter().for_each(|found| bad += u64::from(!self.add_one(sums, found)));
+        if self.aovs != [false; 3] {
+            return found.iter().map(|found| u64::from(!self.add_one(sums, found))).sum();
         }
-        bad
+        found.chunks(fixed::MOST).map(|found| add_radiance(sums, found)).sum()
     }
 
     /// Adds a sample; false if one of its numbers is none.
@@ -116,6 +111,19 @@ impl Layout {
         let bit = |place: u32| bits >> place & 1 == 1;
         (bits < 16).then(|| Self { halves: bit(0), aovs: [bit(1), bit(2), bit(3)] })
     }
+}
+
+/// Adds the radiance of at most [`fixed::MOST`] samples, as [`Layout::add`] does.
+#[inline]
+fn add_radiance(sums: &mut [i128], found: &[Found]) -> u64 {
+    let (mut batch, mut bad) = (fixed::Batch::default(), 0);
+    for found in found {
+        if !batch.add(found.radiance.to_array()) {
+            bad += u64::from(!add_color(sums, found.radiance));
+        }
+    }
+    sums.iter_mut().zip(batch.sums()).for_each(|(sum, more)| *sum += more);
+    bad
 }
 
 /// Adds all three channels, or none of them if one is no number.

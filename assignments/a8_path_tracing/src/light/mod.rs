@@ -15,12 +15,14 @@
 mod area;
 mod ball;
 mod environment;
+mod offers;
 mod target;
 mod tree;
 
 pub use area::{AreaLight, AreaShape, Seen};
 pub use ball::{Ball, BallWay};
 pub use environment::Environment;
+pub use offers::{Offers, Receivers};
 pub use target::Target;
 pub use tree::{Cluster, Leaf, LightTree, Receiver};
 

@@ -12,6 +12,7 @@ pub use sobol::DIMENSIONS;
 use a7_sampling::Pattern;
 use a7_sampling::sampler::hash::{hash, mix, units};
 use a7_sampling::sampler::{Pixel, Sampler};
+use common::math::lanes::LANES;
 use common::picture::Size;
 use std::ops::Range;
 
@@ -82,6 +83,18 @@ pub struct Stream {
 }
 
 impl Stream {
+    /// The pixel that they are for.
+    #[inline]
+    pub fn pixel(&self) -> Pixel {
+        self.pixel
+    }
+
+    /// What scrambles a pair of coordinates.
+    #[inline(always)]
+    fn key_of(&self, pair: u32) -> u64 {
+        mix(self.key.wrapping_add(u64::from(pair + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)))
+    }
+
     /// Two numbers in [0, 1) for a choice at the surface of this generation, which have nothing to
     /// do with any others.
     pub fn beside(&self, generation: u32, choice: Choice) -> [f64; 2] {
@@ -124,7 +137,7 @@ impl Numbers {
         if let Some(pairs) = &self.pairs {
             return pairs.pair(stream.pixel, stream.sample, pair);
         }
-        let key = mix(stream.key.wrapping_add(u64::from(pair + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)));
+        let key = stream.key_of(pair);
         match sobol::dimension(what) {
             Some(dimension) => {
                 let row = &rows.rows[stream.row as usize];
@@ -133,6 +146,22 @@ impl Numbers {
             // Far beyond the dimensions that matter.
             None => units(mix(key ^ u64::from(stream.sample).wrapping_mul(0xd6e8_feb8_6659_fd93))),
         }
+    }
+
+    /// [`Numbers::pair`] of eight paths, all first coordinates and all second ones.
+    #[inline(always)]
+    pub fn pairs(&self, streams: &[Stream; LANES], rows: &Rows, what: Use) -> [[f64; LANES]; 2] {
+        let Some(dimension) = sobol::dimension(what).filter(|_| self.pairs.is_none()) else {
+            let pairs = streams.map(|stream| self.pair(&stream, rows, what));
+            return [pairs.map(|[u, _]| u), pairs.map(|[_, v]| v)];
+        };
+        let (mut keys, mut points) = ([0; LANES], [[0; LANES]; 2]);
+        for lane in 0..LANES {
+            keys[lane] = streams[lane].key_of(what.pair());
+            let row = &rows.rows[streams[lane].row as usize];
+            (points[0][lane], points[1][lane]) = (row[dimension], row[dimension + 1]);
+        }
+        sobol::all_scrambled(points, keys)
     }
 }
 

@@ -9,6 +9,7 @@ use super::Use;
 use super::directions::DIRECTIONS;
 use a7_sampling::sampler::hash::{mix, unit};
 use a7_sampling::sampler::sobol::owen_reversed;
+use common::math::lanes::LANES;
 use std::sync::OnceLock;
 
 /// Dimensions that a point has; what a path asks beyond is random.
@@ -50,6 +51,29 @@ pub fn point(sample: u32) -> [u32; DIMENSIONS] {
 pub fn scrambled(point: [u32; 2], key: u64) -> [f64; 2] {
     let value = |bits: u32, key: u64| unit(owen_reversed(bits, key as u32).reverse_bits());
     [value(point[0], key), value(point[1], mix(key) >> 32)]
+}
+
+/// The same of eight points, each with a key of its own.
+#[inline(always)]
+pub fn all_scrambled(points: [[u32; LANES]; 2], keys: [u64; LANES]) -> [[f64; LANES]; 2] {
+    let (mut first, mut second) = ([0; LANES], [0; LANES]);
+    for lane in 0..LANES {
+        (first[lane], second[lane]) = (keys[lane] as u32, (mix(keys[lane]) >> 32) as u32);
+    }
+    let value = |mut bits: [u32; LANES], keys: [u32; LANES]| {
+        let mut units = [0.0; LANES];
+        for lane in 0..LANES {
+            bits[lane] = owen_reversed(bits[lane], keys[lane]);
+        }
+        for bits in &mut bits {
+            *bits = bits.reverse_bits();
+        }
+        for lane in 0..LANES {
+            units[lane] = unit(bits[lane]);
+        }
+        units
+    };
+    [value(points[0], first), value(points[1], second)]
 }
 
 /// What every bit of a sample's number changes, bits turned round.

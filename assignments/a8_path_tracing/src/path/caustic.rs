@@ -4,7 +4,7 @@
 //! whether it came by such a way.
 
 use super::surface::Place;
-use super::{Path, PathTracer, Scratch};
+use super::{Began, Path, PathTracer, Scratch};
 use crate::Integrator;
 use crate::bsdf::Bsdf;
 use crate::light::{Ball, BallWay, Target};
@@ -88,14 +88,13 @@ impl PathTracer<'_> {
     /// over a ball, per steradian there.
     pub(super) fn density_over_ball(
         &self,
-        path: &Path,
+        (from, direction, _): Began,
         ball: u32,
         through: bool,
         arrival: DVec3,
         met: &Surface,
     ) -> f32 {
         let ball = &self.balls[ball as usize];
-        let (from, direction, _) = path.began;
         let Some(area) = self.lights.area_per_chance(ball.center(), met.primitive) else { return 0.0 };
         let per_area = ball.per_area(from, direction.as_dvec3(), met.point, through);
         let upright = -met.geometric_normal.dot(arrival);

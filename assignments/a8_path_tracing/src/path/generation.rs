@@ -1,14 +1,15 @@
 //! One step of all paths.
 
 use super::caustic::Chain;
-use super::{Expected, Found, Path, PathTracer, Scratch, Shadows};
+use super::places::Met;
+use super::{Began, Expected, Found, Path, PathTracer, Scratch, Shadows};
 use crate::Integrator;
 use common::accel::Accel;
 use common::counters::Counters;
 use common::geometry::Surface;
 use common::math::{DVec3, Interval, Vec3};
 use common::ray::Ray;
-use common::simd::{self, Simd, dispatch};
+use common::simd::{self, dispatch};
 
 impl PathTracer<'_> {
     /// Sends the rays, looks at what they meet, sends the shadow rays; the next rays are then in
@@ -29,10 +30,15 @@ impl PathTracer<'_> {
         scratch.far.clear();
         scratch.next_rays.clear();
         scratch.next_paths.clear();
-        dispatch!(simd::level(), s => s.vectorize(
-            #[inline(always)]
-            || self.look(scratch, generation, counters, found),
-        ));
+        scratch.matts.clear();
+        scratch.smooth.clear();
+        scratch.rounds.clear();
+        dispatch!(simd::level(), s => {
+            self.look(scratch, generation, counters, found);
+            self.look_at_rounds(s, scratch, generation, counters, found);
+            self.leave_smooth(s, scratch, generation, counters);
+            self.leave_matt(s, scratch, generation, counters);
+        });
         scratch.near.arrive(self.accel, Interval::up_to(1.0), counters, found);
         scratch.far.arrive(self.accel, Interval::FORWARD, counters, found);
         std::mem::swap(&mut scratch.rays, &mut scratch.next_rays);
@@ -44,14 +50,24 @@ impl PathTracer<'_> {
     #[inline(always)]
     fn look(&self, scratch: &mut Scratch, generation: u32, counters: &mut Counters, found: &mut [Found]) {
         for i in 0..scratch.rays.len() {
-            let (ray, path, hit) = (scratch.rays[i], scratch.paths[i], scratch.hits[i]);
-            let found = &mut found[path.slot as usize];
-            match hit {
-                None => self.escape(&ray, &path, generation, found),
+            let (ray, path) = (&scratch.rays[i], &scratch.paths[i]);
+            match scratch.hits[i] {
+                None => self.escape(ray, path, generation, &mut found[path.slot as usize]),
                 Some(hit) => {
                     counters.surfaces += 1;
+                    if self.is_abreast && self.put_aside(scratch, i, hit.primitive, hit.t) {
+                        continue;
+                    }
+                    let ray = scratch.rays[i];
                     let surface = self.studio.geometry.surface(&ray, &hit);
-                    self.meet(scratch, &ray, path, hit.t, &surface, generation, counters, found);
+                    if self.is_abreast {
+                        let met = Met::new(i as u32, &ray, &surface);
+                        if self.put_in_line(scratch, met, surface.material, hit.t, generation, found) {
+                            continue;
+                        }
+                    }
+                    let found = &mut found[scratch.paths[i].slot as usize];
+                    self.meet(scratch, i, hit.t, &surface, generation, counters, found);
                 }
             }
         }
@@ -69,14 +85,22 @@ impl PathTracer<'_> {
 
     /// Light that the front of a surface gives off, weighed against having been asked for.
     #[inline(always)]
-    pub(super) fn emitted(&self, path: &Path, emissive: Vec3, ray: &Ray, t: f32, surface: &Surface) -> Vec3 {
+    pub(super) fn emitted(
+        &self,
+        path: &Path,
+        began: &[Began],
+        emissive: Vec3,
+        (ray, t): (&Ray, f32),
+        surface: &Surface,
+    ) -> Vec3 {
         let direction = ray.direction.as_dvec3();
         if emissive == Vec3::ZERO || surface.geometric_normal.dot(direction) >= 0.0 {
             return Vec3::ZERO;
         }
         if let Chain::Over { ball, through } = path.chain {
-            let asked = self.density_over_ball(path, ball, through, direction, surface);
-            return path.throughput * emissive * self.met_by_chance(path.began.2, asked);
+            let began = began[path.slot as usize];
+            let asked = self.density_over_ball(began, ball, through, direction, surface);
+            return path.throughput * emissive * self.met_by_chance(began.2, asked);
         }
         // From the eye, or from a mirror, there was no other way to find it.
         if path.pdf == f32::INFINITY || self.rules.integrator == Integrator::Naive {

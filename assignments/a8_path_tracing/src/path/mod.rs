@@ -5,22 +5,30 @@
 //! shadow rays are sent at once. What a path finds does not depend on who is traced beside it.
 
 mod caustic;
+mod eye;
 mod generation;
+mod leaving;
+mod matt;
+mod places;
+mod round;
+mod smooth;
 mod surface;
 
 use crate::bsdf::Bsdf;
 use crate::light::{Ball, Lights};
-use crate::numbers::{Numbers, Rows, Stream, Use};
+use crate::numbers::{Numbers, Rows, Stream};
 use a1_ray_casting::{Studio, World};
 use a7_sampling::aperture::Aperture;
 use a7_sampling::sampler::Pixel;
 use caustic::Chain;
 use common::accel::Accel;
-use common::camera::screen_position;
 use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::{DVec3, Vec3};
 use common::ray::Ray;
+use leaving::Leaving;
+use places::Queue;
+use round::Rounds;
 use std::ops::Range;
 
 /// How light is looked for.
@@ -94,9 +102,10 @@ struct Path {
     left: f32,
     /// Whether it is on a way that was asked for.
     chain: Chain,
-    /// Where that began: the point, the direction, and its density.
-    began: (DVec3, Vec3, f32),
 }
+
+/// Where a path began a way that was asked for: the point, the direction, and its density.
+type Began = (DVec3, Vec3, f32);
 
 /// Light on its way to a surface, if nothing is in between.
 #[derive(Clone, Copy, Debug)]
@@ -122,8 +131,17 @@ pub struct Scratch {
     rays: Vec<Ray>,
     paths: Vec<Path>,
     hits: Vec<Option<Hit>>,
+    on_screen: Vec<(f64, f64)>,
     next_rays: Vec<Ray>,
     next_paths: Vec<Path>,
+    /// By slot; empty if nothing is asked over balls.
+    began: Vec<Began>,
+    /// Matt surfaces that were met.
+    matts: Queue,
+    /// Mirrors and glass that were met.
+    smooth: Queue,
+    /// Balls and planes that were met.
+    rounds: Rounds,
     /// To lights at places: in units of their length.
     near: Shadows,
     /// To lights infinitely far away.
@@ -144,8 +162,13 @@ pub struct PathTracer<'a> {
     rules: Rules,
     /// What is the same all over a material.
     plain: Vec<Option<Bsdf>>,
+    /// How paths leave surfaces of each material.
+    leaving: Vec<Leaving>,
     /// What lights are asked over.
     balls: Vec<Ball>,
+    /// Whether surfaces are left eight at a time: where nothing is asked that only a surface by
+    /// itself asks.
+    is_abreast: bool,
 }
 
 impl<'a> PathTracer<'a> {
@@ -160,12 +183,14 @@ impl<'a> PathTracer<'a> {
     ) -> Self {
         let materials = 0..world.as_scene().materials.len() as u32;
         let plain: Vec<Option<Bsdf>> = materials.map(|index| world.plain(index).map(Bsdf::new)).collect();
+        let leaving = (0..plain.len() as u32).map(|index| Leaving::of(world.plain(index))).collect();
         let lobes = |index: u32| Some((plain[index as usize]?, world.plain(index)?.absorption));
         let mut balls = if lights.any_flat() { Ball::all(&studio.geometry, lobes) } else { Vec::new() };
         // A look at each would cost too much.
         balls.truncate(if balls.len() > MOST_BALLS { 0 } else { MOST_BALLS });
         let aperture = studio.camera.lens.map(|lens| Aperture::new(lens.blades));
-        Self { studio, world, accel, lights, numbers, aperture, rules, plain, balls }
+        let is_abreast = balls.is_empty() && rules.skip_behind && rules.skip_specular;
+        Self { studio, world, accel, lights, numbers, aperture, rules, plain, leaving, balls, is_abreast }
     }
 
     /// Traces some samples of some pixels. What is found for a sample depends on pixel, sample and
@@ -183,6 +208,8 @@ impl<'a> PathTracer<'a> {
     ) {
         assert_eq!(found.len(), pixels.len() * samples.len());
         found.fill(Found::default());
+        scratch.began.clear();
+        scratch.began.resize(if self.balls.is_empty() { 0 } else { found.len() }, Began::default());
         self.begin(scratch, pixels, samples);
         let mut generation = 0;
         while !scratch.rays.is_empty() {
@@ -191,40 +218,9 @@ impl<'a> PathTracer<'a> {
         }
     }
 
-    /// The rays from the eye.
-    fn begin(&self, scratch: &mut Scratch, pixels: &[Pixel], samples: Range<u32>) {
-        self.numbers.prepare(samples.clone(), &mut scratch.rows);
-        scratch.rays.clear();
-        scratch.paths.clear();
-        let mut slot = 0;
-        for &pixel in pixels {
-            for row in 0..samples.len() as u32 {
-                let stream = self.numbers.stream(pixel, samples.start, row);
-                scratch.rays.push(self.camera_ray(&stream, &scratch.rows, pixel));
-                scratch.paths.push(Path {
-                    throughput: Vec3::ONE,
-                    slot,
-                    stream,
-                    normal: Vec3::ZERO,
-                    pdf: f32::INFINITY,
-                    left: 1.0,
-                    chain: Chain::None,
-                    began: (DVec3::ZERO, Vec3::ZERO, 0.0),
-                });
-                slot += 1;
-            }
-        }
-    }
-
-    fn camera_ray(&self, stream: &Stream, rows: &Rows, (x, y): Pixel) -> Ray {
-        let [u, v] = self.numbers.pair(stream, rows, Use::Pixel);
-        let on_screen = screen_position(self.studio.size, f64::from(x) + u, f64::from(y) + v);
-        match self.aperture {
-            None => self.studio.camera.ray(on_screen),
-            Some(aperture) => {
-                let on_lens = aperture.point(self.numbers.pair(stream, rows, Use::Lens));
-                self.studio.camera.ray_through_lens(on_screen, on_lens)
-            }
-        }
+    /// Whether surfaces of this generation send light on. The ray after the last that do only looks
+    /// at what shines.
+    fn sends_on(&self, generation: u32) -> bool {
+        self.rules.bounces.is_none_or(|most| generation <= most)
     }
 }

@@ -4,7 +4,7 @@ use super::caustic::Chain;
 use super::{Found, Path, PathTracer, Scratch};
 use crate::Integrator;
 use crate::bsdf::Bsdf;
-use crate::numbers::{Choice, Use};
+use crate::numbers::{Choice, Rows, Use};
 use a1_ray_casting::Mixture;
 use common::counters::Counters;
 use common::geometry::{Departure, Surface};
@@ -15,7 +15,7 @@ use std::borrow::Cow;
 
 /// Share of light that may be lost before roulette is worth its noise. Of 1, ½, 0.3, 0.15 and 0.07
 /// the second and third gave least error in the same time on the three scenes 8_01 to 8_03.
-const WORTH_GOING_ON: f32 = 0.4;
+pub(super) const WORTH_GOING_ON: f32 = 0.4;
 
 /// A surface as a path meets it.
 pub(super) struct Place<'s> {
@@ -57,20 +57,20 @@ impl PathTracer<'_> {
     pub(super) fn meet(
         &self,
         scratch: &mut Scratch,
-        ray: &Ray,
-        mut path: Path,
+        number: usize,
         t: f32,
         surface: &Surface,
         generation: u32,
         counters: &mut Counters,
         found: &mut Found,
     ) {
+        let (ray, mut path) = (&scratch.rays[number], scratch.paths[number]);
         let place = Place::new(surface, ray);
         let material = self.material(surface, &path, generation);
         if place.inside && material.absorption != Vec3::ZERO && material.transparent != Vec3::ZERO {
             path.throughput *= (material.absorption * -t).exp();
         }
-        found.radiance += self.emitted(&path, material.emissive, ray, t, surface);
+        found.radiance += self.emitted(&path, &scratch.began, material.emissive, (ray, t), surface);
         let bsdf = match (&material, &self.plain[surface.material as usize]) {
             (Cow::Borrowed(_), Some(bsdf)) => *bsdf,
             _ => Bsdf::new(&material),
@@ -78,8 +78,7 @@ impl PathTracer<'_> {
         if generation == 0 {
             (found.albedo, found.normal, found.depth) = (bsdf.albedo(), place.normal, t);
         }
-        // The ray after the last surface that may send light on only looks at what shines.
-        if bsdf.is_black() || self.rules.bounces.is_some_and(|most| generation > most) {
+        if bsdf.is_black() || !self.sends_on(generation) {
             return;
         }
         let direct = self.ask(scratch, &place, &path, &bsdf, generation, counters);
@@ -180,7 +179,7 @@ impl PathTracer<'_> {
         }
         path.chain = self.next_link(&path, place, bsdf, way.pdf == f32::INFINITY, same_side, generation);
         if path.chain == Chain::Begun {
-            path.began = (place.surface.point, way.direction, way.pdf);
+            scratch.began[path.slot as usize] = (place.surface.point, way.direction, way.pdf);
         }
         path.normal = place.geometric;
         path.pdf = way.pdf;
@@ -202,7 +201,13 @@ impl PathTracer<'_> {
         if generation + 1 < self.rules.roulette_depth || chance >= 1.0 {
             return true;
         }
-        let [u, _] = self.numbers.pair(&path.stream, &scratch.rows, Use::Roulette(generation));
+        self.wins(&scratch.rows, path, chance, generation)
+    }
+
+    /// The game itself, with this chance to go on.
+    #[inline(always)]
+    pub(super) fn wins(&self, rows: &Rows, path: &mut Path, chance: f32, generation: u32) -> bool {
+        let [u, _] = self.numbers.pair(&path.stream, rows, Use::Roulette(generation));
         if u >= f64::from(chance) {
             return false;
         }

@@ -1,0 +1,230 @@
+//! A few balls, held against eight rays at a time instead of standing in the tree.
+//!
+//! Balls are large and overlap the boxes of a mesh; in the tree each of them costs most rays a
+//! node or a leaf. In single precision it is soon told which rays surely pass a ball by, or leave
+//! it behind them; only the others are asked in double precision.
+
+use super::abreast::{Abreast, RAYS};
+use super::ball_hits::{all_met, any_of, nearest_of, places_of};
+use super::bundle::lanes_of;
+use common::counters::Counters;
+use common::geometry::{Geometry, Hit, SolidShape};
+use common::math::Interval;
+use common::math::lanes::{each, load, subtract};
+use common::ray::Ray;
+use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+
+/// More balls are faster in the tree; a multiple of eight.
+pub const MOST: usize = 16;
+
+/// By how much a ball is made larger, as a part of all coordinates that the test works with. With
+/// u = 2⁻²⁴ the centre is off by u, the way to it by another u, each component of the cross product
+/// by 4u of both its factors: together less than 2⁻²⁰.
+const ROOM: f32 = 1.0 / (1 << 20) as f32;
+
+/// As many rays are asked side by side sooner than one by one.
+const ENOUGH: u32 = 3;
+
+/// What squares may lose below the range of normal numbers.
+const FLOOR: f32 = 16.0 * f32::MIN_POSITIVE;
+
+/// The balls of a scene, by their place among its solids.
+pub struct Balls {
+    /// Centres, by axis.
+    center: [[f32; MOST]; 3],
+    radius: [f32; MOST],
+    /// Sum of the magnitudes of centre and radius.
+    size: [f32; MOST],
+    count: usize,
+}
+
+/// Balls and rays in lanes, one ball to many rays or one ray to many balls.
+struct Pairs<S: Simd> {
+    center: [f32x8<S>; 3],
+    radius: f32x8<S>,
+    size: f32x8<S>,
+    origin: [f32x8<S>; 3],
+    direction: [f32x8<S>; 3],
+}
+
+impl<S: Simd> Pairs<S> {
+    /// A bit for every lane whose ray may meet the ball; what is behind it is no matter if only
+    /// what is `ahead` counts.
+    #[inline(always)]
+    fn meeting(&self, simd: S, ahead: bool) -> u32 {
+        let [x, y, z] = subtract(self.origin, self.center);
+        let [dx, dy, dz] = self.direction;
+        let [ox, oy, oz] = self.origin;
+        let reach = self.radius + (ox.abs() + oy.abs() + oz.abs() + self.size) * f32x8::splat(simd, ROOM);
+        let reach = reach * reach;
+        // |from × d| is |d| times the distance of the line from the centre. Fused or not, this only
+        // says who is asked.
+        let cross = [y.mul_sub(dz, z * dy), z.mul_sub(dx, x * dz), x.mul_sub(dy, y * dx)];
+        let dot = |[ax, ay, az]: [f32x8<S>; 3], [bx, by, bz]: [f32x8<S>; 3]| {
+            ax.mul_add(bx, ay.mul_add(by, az * bz))
+        };
+        let length = dot(self.direction, self.direction);
+        let floor = f32x8::splat(simd, FLOOR);
+        // Written so that NaN is in doubt, and infinity beside infinity, too.
+        let mut passed = dot(cross, cross).simd_gt(reach.mul_add(length, floor));
+        if ahead {
+            let from = [x, y, z];
+            let outside = dot(from, from).simd_gt(reach + floor);
+            let leaving = dot(from, self.direction).simd_gt(f32x8::splat(simd, 0.0));
+            passed |= outside & leaving;
+        }
+        let passed = passed.to_bitmask();
+        !passed as u32 & 0xff
+    }
+}
+
+impl Balls {
+    /// None.
+    pub const NONE: Self =
+        Self { center: [[0.0; MOST]; 3], radius: [0.0; MOST], size: [0.0; MOST], count: 0 };
+
+    /// The solids of a scene if they are few, all of them balls, and stand beside triangles.
+    pub fn of(geometry: &Geometry) -> Self {
+        let mut balls = Self::NONE;
+        let solids = geometry.solids();
+        if solids.len() > MOST || geometry.triangles().is_empty() {
+            return balls;
+        }
+        for (place, solid) in solids.iter().enumerate() {
+            let SolidShape::Sphere(sphere) = &solid.shape else { return Self::NONE };
+            let center = sphere.center.as_vec3();
+            for axis in 0..3 {
+                balls.center[axis][place] = center[axis];
+            }
+            balls.radius[place] = sphere.radius as f32;
+            balls.size[place] = center.abs().element_sum() + sphere.radius as f32;
+        }
+        balls.count = solids.len();
+        balls
+    }
+
+    /// Whether there are none.
+    #[inline(always)]
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// A bit for each of eight rays that may meet the ball at `place`.
+    #[inline(always)]
+    fn rays_meeting<S: Simd>(&self, simd: S, rays: &Abreast, place: usize, ahead: bool) -> u32 {
+        let pairs = Pairs {
+            center: each([0, 1, 2], |axis: usize| f32x8::splat(simd, self.center[axis][place])),
+            radius: f32x8::splat(simd, self.radius[place]),
+            size: f32x8::splat(simd, self.size[place]),
+            origin: load(simd, &rays.origin),
+            direction: load(simd, &rays.direction),
+        };
+        pairs.meeting(simd, ahead)
+    }
+
+    /// A bit for each ball that a ray may meet.
+    #[inline(always)]
+    fn met_by<S: Simd>(&self, simd: S, ray: &Ray, ahead: bool) -> u32 {
+        let mut met = 0;
+        for first in (0..self.count).step_by(RAYS) {
+            let lanes = |all: &[f32; MOST]| f32x8::from_slice(simd, &all[first..first + RAYS]);
+            let pairs = Pairs {
+                center: each([0, 1, 2], |axis: usize| lanes(&self.center[axis])),
+                radius: lanes(&self.radius),
+                size: lanes(&self.size),
+                origin: each([0, 1, 2], |axis: usize| f32x8::splat(simd, ray.origin[axis])),
+                direction: each([0, 1, 2], |axis: usize| f32x8::splat(simd, ray.direction[axis])),
+            };
+            met |= pairs.meeting(simd, ahead) << first;
+        }
+        met & ((1 << self.count) - 1)
+    }
+
+    /// Puts the better of what is there and the first hit of each of up to eight rays into `hits`.
+    #[inline(always)]
+    pub fn nearest<S: Simd>(
+        &self,
+        simd: S,
+        geometry: &Geometry,
+        (rays, abreast): (&[Ray], &Abreast),
+        interval: Interval,
+        hits: &mut [Option<Hit>],
+        c: &mut Counters,
+    ) {
+        for place in 0..self.count {
+            let meeting = self.rays_meeting(simd, abreast, place, interval.min >= 0.0);
+            let meeting = meeting & ((1 << rays.len()) - 1);
+            if meeting.count_ones() < ENOUGH {
+                for lane in lanes_of(meeting) {
+                    let place = [place as u32].into_iter();
+                    hits[lane] = nearest_of(geometry, place, &rays[lane], interval, hits[lane], c);
+                }
+                continue;
+            }
+            let (t, primitive) = all_met(simd, geometry, place, abreast, interval);
+            c.intersections += u64::from(meeting.count_ones());
+            for lane in lanes_of(meeting).filter(|lane| !t[*lane].is_nan() && rays[*lane].is_usable()) {
+                let hit = Hit { t: t[lane], primitive, u: 0.0, v: 0.0 };
+                hits[lane] = if hit.precedes(hits[lane].as_ref()) { Some(hit) } else { hits[lane] };
+            }
+        }
+    }
+
+    /// Says `true` of each of up to eight rays that hits a ball.
+    #[inline(always)]
+    pub fn any<S: Simd>(
+        &self,
+        simd: S,
+        geometry: &Geometry,
+        (rays, abreast): (&[Ray], &Abreast),
+        interval: Interval,
+        hit: &mut [bool],
+        c: &mut Counters,
+    ) {
+        for place in 0..self.count {
+            let meeting = self.rays_meeting(simd, abreast, place, interval.min >= 0.0);
+            let meeting = meeting & ((1 << rays.len()) - 1);
+            if meeting.count_ones() < ENOUGH {
+                for lane in lanes_of(meeting) {
+                    let place = [place as u32].into_iter();
+                    hit[lane] = hit[lane] || any_of(geometry, place, &rays[lane], interval, c);
+                }
+                continue;
+            }
+            let (t, _) = all_met(simd, geometry, place, abreast, interval);
+            c.intersections += u64::from(meeting.count_ones());
+            for lane in lanes_of(meeting) {
+                hit[lane] |= !t[lane].is_nan() && rays[lane].is_usable();
+            }
+        }
+    }
+
+    /// The better of `best` and the first hit of one ray.
+    #[inline(always)]
+    pub fn nearest_alone<S: Simd>(
+        &self,
+        simd: S,
+        geometry: &Geometry,
+        ray: &Ray,
+        interval: Interval,
+        best: Option<Hit>,
+        c: &mut Counters,
+    ) -> Option<Hit> {
+        let met = places_of(self.met_by(simd, ray, interval.min >= 0.0));
+        nearest_of(geometry, met, ray, interval, best, c)
+    }
+
+    /// Whether one ray hits any.
+    #[inline(always)]
+    pub fn any_alone<S: Simd>(
+        &self,
+        simd: S,
+        geometry: &Geometry,
+        ray: &Ray,
+        interval: Interval,
+        c: &mut Counters,
+    ) -> bool {
+        let met = places_of(self.met_by(simd, ray, interval.min >= 0.0));
+        any_of(geometry, met, ray, interval, c)
+    }
+}
