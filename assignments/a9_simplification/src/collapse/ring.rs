@@ -1,5 +1,6 @@
 //! What is around an edge, and whether it may be drawn together.
 
+use crate::collapse::locate::square;
 use crate::collapse::surface::{NONE, Surface, previous};
 use common::math::DVec3;
 
@@ -8,6 +9,12 @@ const LEAST_COSINE: f64 = 0.5;
 /// Least quality 4√3·area/Σ side² of a face that a step makes, 1 for an equilateral triangle;
 /// faces that become better may be worse than that.
 const LEAST_QUALITY: f64 = 1e-3;
+/// A surface is folded back on itself where a face looks elsewhere than all around do: the least cosine of a face that
+/// does not.
+const FOLDED: f64 = 0.15;
+/// How much it counts if a tip is cut off, in terms of planes that are as far off: with more of it there is less left
+/// for all else.
+const TIP: f64 = 0.3;
 /// Below this the area could be one of rounding.
 const ROUNDING: f64 = 1e-13;
 
@@ -128,6 +135,41 @@ impl Ring {
                 && has_not_turned(face.before, face.after, before, after)
                 && surface.faces[face.face as usize].looks_along(face.after)
         })
+    }
+}
+
+impl Ring {
+    /// What it costs that the ends of the edge, which were at `from`, are off the surface once its point is at `place`:
+    /// the squared distance, times √area of each face.
+    ///
+    /// Where a thin sheet ends, all planes are about one, and to move along it costs nothing by their measure: the end
+    /// would be cut off, farther with each step. So this counts where the surface is folded back on itself, and only there.
+    pub(super) fn lost(&self, from: [DVec3; 2], place: DVec3) -> f64 {
+        if !self.is_folded() {
+            return 0.0;
+        }
+        let off = from.map(|end| {
+            let squares = self.stays.iter().map(|face| square(end, [place, face.sides[0], face.sides[1]]));
+            squares.fold(f64::INFINITY, f64::min)
+        });
+        let weight: f64 = self.normals().map(|normal| normal.length().sqrt()).sum();
+        TIP * weight * off[0].max(off[1])
+    }
+
+    /// Whether some face looks elsewhere than all of them together.
+    fn is_folded(&self) -> bool {
+        let all: DVec3 = self.normals().sum();
+        let least2 = FOLDED * FOLDED * all.length_squared();
+        self.normals().any(|normal| {
+            let along = normal.dot(all);
+            along < 0.0 || along * along < least2 * normal.length_squared()
+        })
+    }
+
+    /// The normals of all faces before the step.
+    fn normals(&self) -> impl Iterator<Item = DVec3> {
+        let stay = self.stays.iter().map(|face| face.before);
+        stay.chain(self.vanishes.iter().map(|face| face.normal))
     }
 }
 
