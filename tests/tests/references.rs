@@ -21,9 +21,8 @@ fn tolerance(line: &CommandLine) -> u8 {
 const MOST_DIFFERING: f64 = 0.001;
 
 /// Part of a picture's pixels that may differ at all: those whose colour lies on the edge of a
-/// level, among them whole sides of a grid's cells, which have one colour (655 of 40,000 in `output5_06`).
-/// Rounding where the course truncates, or a light a little too bright, moves far more.
-const MOST_UNEQUAL: f64 = 0.02;
+/// level. Rounding where the course truncates, or a light a little too bright, moves far more.
+const MOST_UNEQUAL: f64 = 0.01;
 
 /// Whether references are to be drawn anew, and whose.
 fn blessing() -> Option<String> {

@@ -145,7 +145,7 @@ impl Ring {
     /// Where a thin sheet ends, all planes are about one, and to move along it costs nothing by their measure: the end
     /// would be cut off, farther with each step. So this counts where the surface is folded back on itself, and only there.
     pub(super) fn lost(&self, from: [DVec3; 2], place: DVec3) -> f64 {
-        if !self.is_folded() {
+        if !is_folded(self.normals()) {
             return 0.0;
         }
         let off = from.map(|end| {
@@ -156,21 +156,28 @@ impl Ring {
         TIP * weight * off[0].max(off[1])
     }
 
-    /// Whether some face looks elsewhere than all of them together.
-    fn is_folded(&self) -> bool {
-        let all: DVec3 = self.normals().sum();
-        let least2 = FOLDED * FOLDED * all.length_squared();
-        self.normals().any(|normal| {
-            let along = normal.dot(all);
-            along < 0.0 || along * along < least2 * normal.length_squared()
-        })
+    /// Whether the step leaves a face that looks elsewhere than all around do, where none did: it may have turned little
+    /// by little, and overhangs in the end.
+    pub(super) fn folds_up(&self) -> bool {
+        is_folded(self.stays.iter().map(|face| face.after)) && !is_folded(self.normals())
     }
 
     /// The normals of all faces before the step.
-    fn normals(&self) -> impl Iterator<Item = DVec3> {
+    fn normals(&self) -> impl Iterator<Item = DVec3> + Clone {
         let stay = self.stays.iter().map(|face| face.before);
         stay.chain(self.vanishes.iter().map(|face| face.normal))
     }
+}
+
+/// Whether some of these normals points elsewhere than all of them together.
+#[inline(always)]
+fn is_folded(mut normals: impl Iterator<Item = DVec3> + Clone) -> bool {
+    let all: DVec3 = normals.clone().sum();
+    let least2 = FOLDED * FOLDED * all.length_squared();
+    normals.any(|normal| {
+        let along = normal.dot(all);
+        along < 0.0 || along * along < least2 * normal.length_squared()
+    })
 }
 
 /// Neither a sliver nor worse than it was; squared normals and sums of squared sides.

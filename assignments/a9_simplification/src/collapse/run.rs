@@ -136,7 +136,10 @@ impl<C: Cost> Run<C> {
         let mut ring = std::mem::take(&mut self.ring);
         ring.look(surface, h);
         let at = place.as_dvec3() * surface.scale;
-        if ring.keeps_topology(surface, h, |point| self.original(point)) && ring.keeps_shape(surface, at) {
+        if ring.keeps_topology(surface, h, |point| self.original(point))
+            && ring.keeps_shape(surface, at)
+            && !ring.folds_up()
+        {
             let now = C::Line::turn(offer.cost + C::lost(&ring, from, at));
             if now > C::Line::bear(turn, C::PATIENCE) {
                 self.queue.push(h, now);
