@@ -21,6 +21,9 @@ use common::simd::prefetch;
 /// Share of the trace by which a minimum must be determined: well above the rounding of single precision.
 const LEAST_RANK: f64 = 1e-6;
 
+/// How much the squared length of an edge counts, in terms of the planes at its ends: about as much as that rounding.
+const SHAPE: f64 = 1e-7;
+
 /// yᵀ·A·y + 2·b·y + c for y relative to the point: the entries of A as in [`Symmetric`], those of b, and c. In single
 /// precision, whose rounding is far below what the length of an edge counts, so that less memory is moved.
 #[derive(Clone, Copy, Default)]
@@ -136,7 +139,7 @@ impl Cost for Accumulated {
 
     #[inline(always)]
     fn price(&self, surface: &Surface, h: u32) -> Offer {
-        cheapest_by_form(surface, h, LEAST_RANK, |edge| self.form(surface, h, edge))
+        cheapest_by_form(surface, h, (LEAST_RANK, SHAPE), |edge| self.form(surface, h, edge))
     }
 
     fn place(&self, surface: &Surface, h: u32, offer: &Offer) -> DVec3 {

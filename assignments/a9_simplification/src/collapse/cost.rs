@@ -13,9 +13,6 @@ const LEAST_RANK: f64 = 1e-9;
 /// Square of how far a minimum may be drawn away by what decides where A does not tell, in lengths of the edge.
 const FAINT: f64 = 0.01;
 
-/// How much the squared length of the edge counts, so that on flat parts short edges come first.
-const SHAPE: f64 = 1e-5;
-
 /// What it costs to draw an edge together, and the place that costs least.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Offer {
@@ -43,6 +40,12 @@ pub(super) trait Cost: Clone {
     /// How many drawers dearer than thought an edge may be and still not be put back.
     const PATIENCE: u32 = 0;
 
+    /// What it costs besides if the ends of an edge, which were at `from`, are drawn together at `place`, and that
+    /// cuts off a tip; `ring` knows how all looks after the step.
+    fn lost(ring: &Ring, from: [DVec3; 2], place: DVec3) -> f64 {
+        ring.lost(from, place)
+    }
+
     /// Asks the memory for what is known of a point.
     fn prefetch(&self, point: u32);
 
@@ -66,11 +69,13 @@ pub(super) trait Cost: Clone {
 }
 
 /// The offer for the edge of a half-edge: `form` tells for the way along it A and r as in [`minimum`], `error` what
-/// it costs to put the point at y, seen from the edge's start and from its end.
+/// it costs to put the point at y, seen from the edge's start and from its end, and `shape` how much the squared length
+/// of the edge counts: so little that it only decides on flat parts, where short edges come first.
 #[inline(always)]
 pub(super) fn cheapest(
     surface: &Surface,
     h: u32,
+    shape: f64,
     form: impl FnOnce(DVec3) -> (Symmetric, DVec3),
     error: impl Fn(DVec3, DVec3) -> f64,
 ) -> Offer {
@@ -78,29 +83,24 @@ pub(super) fn cheapest(
     let edge = surface.at(surface.end(h)) - from;
     let (a, r) = form(edge);
     let (y, cost) = minimum(a, r, edge, LEAST_RANK, |y| error(y, y - edge));
-    Offer { cost: cost + shape(&a, edge), place: from + y }
+    Offer { cost: cost + shape * a.trace() * edge.length_squared(), place: from + y }
 }
 
 /// The same if `form` tells A, r and c, so that it costs yᵀ·A·y − 2·r·y + c to put the point at y, seen from the
 /// edge's start, and a minimum must be determined by `least_rank` of the trace. That is less to work out, but what is
-/// lost by cancellation must be less than what the length of the edge counts.
+/// lost by cancellation must not be more than what the length of the edge counts.
 #[inline(always)]
 pub(super) fn cheapest_by_form(
     surface: &Surface,
     h: u32,
-    least_rank: f64,
+    (least_rank, shape): (f64, f64),
     form: impl FnOnce(DVec3) -> (Symmetric, DVec3, f64),
 ) -> Offer {
     let from = surface.at(surface.start(h));
     let edge = surface.at(surface.end(h)) - from;
     let (a, r, c) = form(edge);
     let (y, cost) = minimum(a, r, edge, least_rank, |y| y.dot(a.times(y) - r * 2.0) + c);
-    Offer { cost: cost + shape(&a, edge), place: from + y }
-}
-
-#[inline(always)]
-fn shape(a: &Symmetric, edge: DVec3) -> f64 {
-    SHAPE * a.trace() * edge.length_squared()
+    Offer { cost: cost + shape * a.trace() * edge.length_squared(), place: from + y }
 }
 
 /// Where yᵀ·A·y − 2·r·y is least, relative to the start of an edge, and what `error` is there. In

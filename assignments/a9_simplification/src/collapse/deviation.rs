@@ -22,6 +22,8 @@ const LONGEST_WAY: u32 = 256;
 const LARGE: f64 = 2.0;
 /// Into how many polygons a triangle is cut at most, for each triangle of the other surface.
 const MOST_POLYGONS: usize = 256;
+/// Into a part of all that are left, if that is more.
+const SHARE: usize = 8;
 
 /// A polygon and the other surface's face to hold it against.
 struct Task {
@@ -56,15 +58,19 @@ pub(super) fn deviation(from: &Surface, to: &Surface, near: &[u32]) -> f64 {
         bound = bound.max(find((a + b + c) / 3.0).0.sqrt());
     }
     let most = MOST_POLYGONS * (1 + to.faces.len() / from.faces.len().max(1));
+    // What most faces do not need is there for large ones.
+    let mut spare = most * from.faces.len();
     let mut tasks = Vec::new();
     for (face, &(_, start)) in from.faces.iter().zip(&starts) {
         let polygon = Polygon::triangle(face.corners().map(|p| from.at(p)));
         tasks.push(Task { polygon, face: start, entry: NONE, way: 0 });
-        let mut left = most;
+        let may = most.max(spare / SHARE);
+        let mut left = may;
         while let Some(task) = tasks.pop() {
             left = left.saturating_sub(1);
             bound = bound.max(task.hold(to, &find, bound * SLACK, left > 0, &mut tasks));
         }
+        spare = spare.saturating_sub(may - left);
     }
     bound * SLACK
 }

@@ -1,5 +1,6 @@
 //! What is around an edge, and whether it may be drawn together.
 
+use crate::collapse::locate::square;
 use crate::collapse::surface::{NONE, Surface, previous};
 use common::math::DVec3;
 
@@ -8,6 +9,12 @@ const LEAST_COSINE: f64 = 0.5;
 /// Least quality 4√3·area/Σ side² of a face that a step makes, 1 for an equilateral triangle;
 /// faces that become better may be worse than that.
 const LEAST_QUALITY: f64 = 1e-3;
+/// A surface is folded back on itself where a face looks elsewhere than all around do: the least cosine of a face that
+/// does not.
+const FOLDED: f64 = 0.15;
+/// How much it counts if a tip is cut off, in terms of planes that are as far off: with more of it there is less left
+/// for all else.
+const TIP: f64 = 0.3;
 /// Below this the area could be one of rounding.
 const ROUNDING: f64 = 1e-13;
 
@@ -129,6 +136,48 @@ impl Ring {
                 && surface.faces[face.face as usize].looks_along(face.after)
         })
     }
+}
+
+impl Ring {
+    /// What it costs that the ends of the edge, which were at `from`, are off the surface once its point is at `place`:
+    /// the squared distance, times √area of each face.
+    ///
+    /// Where a thin sheet ends, all planes are about one, and to move along it costs nothing by their measure: the end
+    /// would be cut off, farther with each step. So this counts where the surface is folded back on itself, and only there.
+    pub(super) fn lost(&self, from: [DVec3; 2], place: DVec3) -> f64 {
+        if !is_folded(self.normals()) {
+            return 0.0;
+        }
+        let off = from.map(|end| {
+            let squares = self.stays.iter().map(|face| square(end, [place, face.sides[0], face.sides[1]]));
+            squares.fold(f64::INFINITY, f64::min)
+        });
+        let weight: f64 = self.normals().map(|normal| normal.length().sqrt()).sum();
+        TIP * weight * off[0].max(off[1])
+    }
+
+    /// Whether the step leaves a face that looks elsewhere than all around do, where none did: it may have turned little
+    /// by little, and overhangs in the end.
+    pub(super) fn folds_up(&self) -> bool {
+        is_folded(self.stays.iter().map(|face| face.after)) && !is_folded(self.normals())
+    }
+
+    /// The normals of all faces before the step.
+    fn normals(&self) -> impl Iterator<Item = DVec3> + Clone {
+        let stay = self.stays.iter().map(|face| face.before);
+        stay.chain(self.vanishes.iter().map(|face| face.normal))
+    }
+}
+
+/// Whether some of these normals points elsewhere than all of them together.
+#[inline(always)]
+fn is_folded(mut normals: impl Iterator<Item = DVec3> + Clone) -> bool {
+    let all: DVec3 = normals.clone().sum();
+    let least2 = FOLDED * FOLDED * all.length_squared();
+    normals.any(|normal| {
+        let along = normal.dot(all);
+        along < 0.0 || along * along < least2 * normal.length_squared()
+    })
 }
 
 /// Neither a sliver nor worse than it was; squared normals and sums of squared sides.

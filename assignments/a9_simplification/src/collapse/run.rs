@@ -10,6 +10,7 @@ use crate::collapse::queue::Line;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface, next, previous};
 use crate::collapse::wedges::{Wedges, Where};
+use common::math::{DVec3, Vec3};
 use common::simd::prefetch;
 
 /// How many turns before its own the face of an edge is asked for …
@@ -118,7 +119,7 @@ impl<C: Cost> Run<C> {
         }
     }
 
-    /// An edge that may not be drawn together leaves the queue until something near it changes.
+    /// What may not be drawn together leaves the queue until something near it changes; a tip waits for its turn.
     fn try_step(&mut self, h: u32, turn: Turn<C>, offer: &Offer) {
         let surface = &self.surface;
         let ends = [surface.start(h), surface.end(h)];
@@ -135,19 +136,34 @@ impl<C: Cost> Run<C> {
         let mut ring = std::mem::take(&mut self.ring);
         ring.look(surface, h);
         let at = place.as_dvec3() * surface.scale;
-        if ring.keeps_topology(surface, h, |point| self.original(point)) && ring.keeps_shape(surface, at) {
-            if let Some(wedges) = &mut self.wedges {
-                let edge = from[1] - from[0];
-                let along = (at - from[0]).dot(edge) / edge.length_squared();
-                wedges.merge(&self.surface, h, along.clamp(0.0, 1.0) as f32);
+        if ring.keeps_topology(surface, h, |point| self.original(point))
+            && ring.keeps_shape(surface, at)
+            && !ring.folds_up()
+        {
+            let now = C::Line::turn(offer.cost + C::lost(&ring, from, at));
+            if now > C::Line::bear(turn, C::PATIENCE) {
+                self.queue.push(h, now);
+            } else {
+                self.step(h, place, from, &ring);
+                self.queue_around(ends[0], turn);
             }
-            self.surface.collapse(h, place);
-            self.parent[ends[1] as usize] = ends[0];
-            let merge = Merge { kept: ends[0], gone: ends[1], from, place: at };
-            self.cost.merged(&self.surface, &ring, &merge);
-            self.queue_around(ends[0], turn);
         }
         self.ring = ring;
+    }
+
+    /// Draws an edge together at a place; `ring` is what was around its ends, which were at `from`.
+    #[inline(always)]
+    fn step(&mut self, h: u32, place: Vec3, from: [DVec3; 2], ring: &Ring) {
+        let [kept, gone] = [self.surface.start(h), self.surface.end(h)];
+        let at = place.as_dvec3() * self.surface.scale;
+        if let Some(wedges) = &mut self.wedges {
+            let edge = from[1] - from[0];
+            let along = (at - from[0]).dot(edge) / edge.length_squared();
+            wedges.merge(&self.surface, h, along.clamp(0.0, 1.0) as f32);
+        }
+        self.surface.collapse(h, place);
+        self.parent[gone as usize] = kept;
+        self.cost.merged(&self.surface, ring, &Merge { kept, gone, from, place: at });
     }
 
     /// The edges around a point have other prices now.
@@ -199,7 +215,6 @@ mod tests {
     use crate::collapse::levels::CELL;
     use crate::collapse::melax::Curvature;
     use crate::collapse::memoryless::Memoryless;
-    use common::math::Vec3;
 
     /// Bytes of a surface.
     fn of_surface(surface: &Surface) -> usize {

@@ -7,5 +7,6 @@ mod flips;
 mod irregular;
 mod rabbit;
 mod shapes;
+mod tips;
 mod topology;
 mod whole;
