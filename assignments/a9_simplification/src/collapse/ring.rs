@@ -145,7 +145,7 @@ impl Ring {
     /// Where a thin sheet ends, all planes are about one, and to move along it costs nothing by their measure: the end
     /// would be cut off, farther with each step. So this counts where the surface is folded back on itself, and only there.
     pub(super) fn lost(&self, from: [DVec3; 2], place: DVec3) -> f64 {
-        if !is_folded(self.normals()) {
+        if !is_folded(self.normals(), FOLDED) {
             return 0.0;
         }
         let off = from.map(|end| {
@@ -156,10 +156,10 @@ impl Ring {
         TIP * weight * off[0].max(off[1])
     }
 
-    /// Whether the step leaves a face that looks elsewhere than all around do, where none did: it may have turned little
-    /// by little, and overhangs in the end.
+    /// Whether the step leaves a face that overhangs what is around it, where none did; it may have turned little by
+    /// little.
     pub(super) fn folds_up(&self) -> bool {
-        is_folded(self.stays.iter().map(|face| face.after)) && !is_folded(self.normals())
+        is_folded(self.stays.iter().map(|face| face.after), 0.0) && !is_folded(self.normals(), 0.0)
     }
 
     /// The normals of all faces before the step.
@@ -169,11 +169,11 @@ impl Ring {
     }
 }
 
-/// Whether some of these normals points elsewhere than all of them together.
+/// Whether some of these normals points elsewhere than all of them together: by more than this least cosine.
 #[inline(always)]
-fn is_folded(mut normals: impl Iterator<Item = DVec3> + Clone) -> bool {
+fn is_folded(mut normals: impl Iterator<Item = DVec3> + Clone, least: f64) -> bool {
     let all: DVec3 = normals.clone().sum();
-    let least2 = FOLDED * FOLDED * all.length_squared();
+    let least2 = least * least * all.length_squared();
     normals.any(|normal| {
         let along = normal.dot(all);
         along < 0.0 || along * along < least2 * normal.length_squared()
