@@ -78,8 +78,7 @@ impl<I: Copy> Generation<I> {
         };
         let mut mirrored = if fresnel { opaque_mirror(mixture) } else { mixture.blend(|m| m.reflective) };
         let mut opaque = true;
-        // Not a loop: what calls back is followed faster than what is asked for the next.
-        panes(mixture, !rules.skip_black).for_each(|pane| {
+        for pane in panes(mixture, !rules.skip_black) {
             opaque = false;
             let crossing = crossing(incoming, surface, pane.index_of_refraction);
             let mut color = pane.color;
@@ -90,7 +89,7 @@ impl<I: Copy> Generation<I> {
             }
             let refracted = crossing.refracted;
             self.refracted.extend(refracted.and_then(|direction| make(RayKind::Refracted, color, direction)));
-        });
+        }
         let skip_mirror = mirrored == Vec3::ZERO && rules.skip_black;
         if !skip_mirror {
             let direction = mirrored_direction(incoming, surface);

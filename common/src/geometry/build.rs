@@ -2,7 +2,7 @@
 
 use super::smooth::Smooth;
 use super::uv::{UvMap, pictured};
-use super::{FEW_RUNS, Facet, Geometry, PlacedMesh, Run, RunKind, Sheet, Solid, SolidShape};
+use super::{FEW_RUNS, FEWER_RUNS, Facet, Geometry, PlacedMesh, Run, RunKind, Sheet, Solid, SolidShape};
 use crate::math::affine::AffineKind;
 use crate::math::{Affine, Bounds, DMat4, DVec3, Vec3};
 use crate::mesh::Mesh;
@@ -23,13 +23,14 @@ pub struct GeometryError {
     pub message: String,
 }
 
-/// The first primitive of each run if they are few; none for runs that there are not.
+/// The first primitive of each run if they are few, but more than a search finds as soon; none for runs that
+/// there are not.
 fn first_of_few(runs: &[Run]) -> Option<[u32; FEW_RUNS]> {
     let mut first = [u32::MAX; FEW_RUNS];
     for (first, run) in first.iter_mut().zip(runs) {
         *first = run.first;
     }
-    (runs.len() <= FEW_RUNS).then_some(first)
+    (FEWER_RUNS..=FEW_RUNS).contains(&runs.len()).then_some(first)
 }
 
 /// Where a node stands in the world.

@@ -104,6 +104,9 @@ pub(crate) enum RunKind {
 /// As many runs are looked at all at once.
 const FEW_RUNS: usize = 16;
 
+/// Among fewer a search is as soon done.
+const FEWER_RUNS: usize = 4;
+
 /// All primitives of a scene in world space.
 #[derive(Clone, Debug, Default)]
 pub struct Geometry {

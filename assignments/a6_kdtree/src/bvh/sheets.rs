@@ -89,7 +89,7 @@ impl Widened {
 
 /// Whether none of the rays can meet any plane or disc: there is none, or all leave the only one.
 #[inline(always)]
-fn all_leave(sheets: &[Sheet], rays: &[Ray]) -> bool {
+pub fn all_leave(sheets: &[Sheet], rays: &[Ray]) -> bool {
     match sheets {
         [] => true,
         [only] => rays.iter().all(|ray| ray.home == only.primitive),

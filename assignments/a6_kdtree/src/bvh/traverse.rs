@@ -58,6 +58,10 @@ impl Bvh<'_> {
             return hits.fill(None);
         }
         for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
+            if self.balls.is_empty() && sheets::all_leave(self.geometry.sheets(), rays) {
+                hits.fill(None);
+                continue;
+            }
             let abreast = Abreast::of(rays);
             sheets::nearest(self.geometry, (rays, &abreast), interval, hits, c);
             self.balls.nearest(simd, self.geometry, (rays, &abreast), interval, hits, c);
@@ -78,6 +82,10 @@ impl Bvh<'_> {
             return hit.fill(false);
         }
         for (rays, hit) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {
+            if self.balls.is_empty() && sheets::all_leave(self.geometry.sheets(), rays) {
+                hit.fill(false);
+                continue;
+            }
             let abreast = Abreast::of(rays);
             sheets::any(self.geometry, (rays, &abreast), interval, hit, c);
             self.balls.any(simd, self.geometry, (rays, &abreast), interval, hit, c);
