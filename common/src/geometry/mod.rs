@@ -247,7 +247,7 @@ impl Geometry {
     }
 
     /// Index of the run that a primitive belongs to.
-    #[inline]
+    #[inline(always)]
     fn run_of(&self, primitive: u32) -> usize {
         match &self.first_of_few {
             // Counted without a branch: which run it is nobody can guess.
@@ -257,6 +257,7 @@ impl Geometry {
     }
 
     /// Where a primitive is kept: its run and its position in the array of its kind.
+    #[inline(always)]
     pub(crate) fn locate(&self, primitive: u32) -> (&Run, usize) {
         let run = &self.runs[self.run_of(primitive)];
         (run, (run.start + primitive - run.first) as usize)
