@@ -202,13 +202,17 @@ impl Bvh<'_> {
         let rays = &queue.rays[queue.first..queue.seen];
         queue.packet = Packet::of(simd, rays, &self.bounds);
         queue.asked = queue.packet.usable & ((1 << rays.len()) - 1);
-        let mut last = [f32::NEG_INFINITY; RAYS];
-        for (lane, last) in last.iter_mut().enumerate().take(rays.len()) {
-            let settled = purpose.is_settled(queue.first + lane);
-            queue.asked &= !(u32::from(settled) << lane);
-            *last = limit(purpose.last(queue.first + lane), queue.packet.margin(lane));
+        for lane in 0..rays.len() {
+            queue.asked &= !(u32::from(purpose.is_settled(queue.first + lane)) << lane);
         }
-        queue.asked &= queue.packet.rays_inside(simd, &self.bounds, interval.min, &last);
+        // Where the tree is all there is, nearly all rays enter it.
+        if !self.balls.is_empty() || !self.geometry.sheets().is_empty() {
+            let mut last = [f32::NEG_INFINITY; RAYS];
+            for (lane, last) in last.iter_mut().enumerate().take(rays.len()) {
+                *last = limit(purpose.last(queue.first + lane), queue.packet.margin(lane));
+            }
+            queue.asked &= queue.packet.rays_inside(simd, &self.bounds, interval.min, &last);
+        }
         if queue.asked == 0 {
             return;
         }
