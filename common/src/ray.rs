@@ -9,6 +9,7 @@ use crate::math::{DVec3, Vec3};
 /// keeps the whole vector, so the light is at t = 1. A ray with a NaN, an infinity or a zero
 /// direction hits nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)] // So that what is loaded at once lies side by side.
 pub struct Ray {
     /// Where t = 0.
     pub origin: Vec3,

@@ -88,12 +88,21 @@ impl<I: Copy> Generation<I> {
                 color *= 1.0 - reflectance;
             }
             let refracted = crossing.refracted;
-            self.refracted.extend(refracted.and_then(|direction| make(RayKind::Refracted, color, direction)));
+            let ray = refracted.and_then(
+                #[inline(always)]
+                |direction| make(RayKind::Refracted, color, direction),
+            );
+            // An iterator of one would take longer.
+            if let Some(ray) = ray {
+                self.refracted.push(ray);
+            }
         }
         let skip_mirror = mirrored == Vec3::ZERO && rules.skip_black;
         if !skip_mirror {
             let direction = mirrored_direction(incoming, surface);
-            self.mirrored.extend(make(RayKind::Mirrored, mirrored, direction));
+            if let Some(ray) = make(RayKind::Mirrored, mirrored, direction) {
+                self.mirrored.push(ray);
+            }
         }
         counters.skipped_black_secondary += u64::from(opaque) + u64::from(skip_mirror);
     }

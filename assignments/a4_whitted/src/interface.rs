@@ -22,11 +22,13 @@ pub struct Pane {
 /// in which the indices first come up. With `black` opaque materials are panes too, of no share.
 #[inline]
 pub fn panes(mixture: &Mixture, black: bool) -> impl Iterator<Item = Pane> {
-    let (one, several) = match mixture {
+    let (mut one, several) = match mixture {
         Mixture::Plain(material) => (pane(material, black), &[][..]),
         Mixture::Blend(parts) => (None, &parts[..]),
     };
-    one.into_iter().chain(blended_panes(several, black))
+    let mut blended = blended_panes(several, black);
+    // Most surfaces are not mixed; then what goes through mixtures is not even set up.
+    std::iter::from_fn(move || one.take().or_else(|| if several.is_empty() { None } else { blended.next() }))
 }
 
 /// What most surfaces are: nothing mixed, mostly opaque.

@@ -3,15 +3,15 @@
 use crate::Whitted;
 use a1_ray_casting::Mixture;
 use a2_transforms::{Lamps, Source};
-use common::geometry::Surface;
+use common::geometry::{Body, Surface};
 use common::math::{Bounds, Vec3};
 use common::scene::Scene;
 
 /// The inside of a closed convex body.
 #[derive(Clone, Copy)]
 pub struct Interior {
-    /// Its box.
-    pub body: Bounds,
+    /// Where it is, and what bounds it.
+    pub body: Body,
     /// Whether all light comes from outside.
     pub dark: bool,
     /// Index of the material that its surface is made of.
@@ -52,18 +52,17 @@ impl Whitted<'_> {
         lamps: &impl Lamps,
         seen: &mut Option<Interior>,
     ) -> Option<Interior> {
+        if let Some(seen) = seen.filter(|seen| seen.body.is_bounded_by(surface.primitive)) {
+            return Some(seen);
+        }
         let rules = &self.rules;
         if !rules.skip_inside || !rules.shadows || rules.transparent_shadows {
             return None;
         }
         let body = self.accel.geometry().convex_body(surface.primitive)?;
-        let known = seen.filter(|seen| seen.body == body && seen.material == surface.material);
-        let found = known.unwrap_or_else(|| {
-            let dark = all_outside(lamps, self.light.scene, &body);
-            Interior { body, dark, material: surface.material }
-        });
-        *seen = Some(found);
-        Some(found)
+        let dark = all_outside(lamps, self.light.scene, &body.bounds);
+        *seen = Some(Interior { body, dark, material: surface.material });
+        *seen
     }
 
     /// What a ray of the last generation brings that sets out from a surface into the body that

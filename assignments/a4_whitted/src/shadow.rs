@@ -37,11 +37,11 @@ impl<L: Lamps> Lamps for Asked<'_, '_, L> {
         let Some(Interior { body, .. }) = self.inside else { return self.lamps.look(scene, index, surface) };
         let dark = |source| Incident { direction: Vec3::ZERO, color: Vec3::ZERO, source };
         if let Some(source) = self.lamps.source(scene, index) {
-            self.blocked = comes_through(&source, surface, &body);
+            self.blocked = comes_through(&source, surface, &body.bounds);
             return if self.blocked { dark(source) } else { self.lamps.look(scene, index, surface) };
         }
         let light = self.lamps.look(scene, index, surface);
-        self.blocked = comes_through(&light.source, surface, &body);
+        self.blocked = comes_through(&light.source, surface, &body.bounds);
         if self.blocked { dark(light.source) } else { light }
     }
 

@@ -15,24 +15,44 @@ const BLUNT: f64 = 0.98;
 /// Least height of a triangle, relative to the size of the coordinates.
 const HIGH: f64 = 1e-4;
 
+/// A closed convex body. A ray that starts inside and leaves the box has passed the surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Body {
+    /// Its box.
+    pub bounds: Bounds,
+    /// Number of the first primitive of its surface …
+    pub first: u32,
+    /// … and the one after the last.
+    pub end: u32,
+}
+
+impl Body {
+    /// Whether a primitive is part of its surface.
+    #[inline(always)]
+    pub fn is_bounded_by(&self, primitive: u32) -> bool {
+        (self.first..self.end).contains(&primitive)
+    }
+}
+
 impl Geometry {
-    /// The box of the closed convex body that a primitive bounds, by itself or together with the
-    /// other triangles of its mesh. A ray that starts inside and leaves the box has passed the
-    /// body's surface. `None` if there is no such body, or none that is blunt enough to be sure
-    /// of where rays start.
-    pub fn convex_body(&self, primitive: u32) -> Option<Bounds> {
+    /// The closed convex body that a primitive bounds, by itself or together with the other
+    /// triangles of its mesh. `None` if there is no such body, or none that is blunt enough to be
+    /// sure of where rays start.
+    pub fn convex_body(&self, primitive: u32) -> Option<Body> {
         let (run, index) = self.locate(primitive);
-        match run.kind {
-            RunKind::Sheet => None,
+        let (bounds, count) = match run.kind {
+            RunKind::Sheet => return None,
             RunKind::Solid => match &self.solids[index].shape {
-                SolidShape::Sphere(_) => Some(self.solids[index].bounds),
-                SolidShape::Ellipsoid(_) => None,
+                SolidShape::Sphere(_) => (self.solids[index].bounds, 1),
+                SolidShape::Ellipsoid(_) => return None,
             },
             RunKind::Triangle => {
-                let mesh = run.placed.as_deref()?;
-                *run.body.get_or_init(|| convex_mesh(&self.triangles[mesh.triangles()]))
+                let triangles = run.placed.as_deref()?.triangles();
+                let count = triangles.len() as u32;
+                ((*run.body.get_or_init(|| convex_mesh(&self.triangles[triangles])))?, count)
             }
-        }
+        };
+        Some(Body { bounds, first: run.first, end: run.first + count })
     }
 }
 

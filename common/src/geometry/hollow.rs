@@ -1,8 +1,7 @@
 //! Closed bodies with nothing else in them.
 
-use super::{Geometry, Run, RunKind, Sheet};
+use super::{Body, Geometry, Sheet};
 use crate::math::Bounds;
-use std::ops::Range;
 
 /// In scenes of more primitives nobody looks: each body would be held against all of them.
 const MOST_PRIMITIVES: usize = 4096;
@@ -18,28 +17,19 @@ impl Geometry {
         let (run, _) = self.locate(primitive);
         *run.hollow.get_or_init(|| {
             self.len() <= MOST_PRIMITIVES
-                && self.convex_body(primitive).is_some_and(|body| !self.reaches_into(run, &body))
+                && self.convex_body(primitive).is_some_and(|body| !self.reaches_into(&body))
         })
     }
 
-    /// Whether anything but the run that bounds it reaches into a body's box.
-    fn reaches_into(&self, own: &Run, body: &Bounds) -> bool {
-        let walls = primitives(own);
+    /// Whether anything but what bounds it reaches into a body's box.
+    fn reaches_into(&self, body: &Body) -> bool {
         let boxes = self.triangles.iter().map(|corners| Bounds::of_points(*corners));
         let triangles = self.triangle_numbers.iter().copied().zip(boxes);
         let solids = self.solids.iter().map(|solid| (solid.primitive, solid.bounds));
-        let mut others = triangles.chain(solids).filter(|(number, _)| !walls.contains(number));
-        others.any(|(_, bounds)| bounds.overlaps(body)) || self.sheets.iter().any(|s| cuts(s, body))
+        let mut others = triangles.chain(solids).filter(|(number, _)| !body.is_bounded_by(*number));
+        others.any(|(_, bounds)| bounds.overlaps(&body.bounds))
+            || self.sheets.iter().any(|sheet| cuts(sheet, &body.bounds))
     }
-}
-
-/// The numbers of what a body's surface is made of.
-fn primitives(run: &Run) -> Range<u32> {
-    let count = match run.kind {
-        RunKind::Triangle => run.placed.as_deref().map_or(0, |mesh| mesh.triangles().len() as u32),
-        RunKind::Solid | RunKind::Sheet => 1,
-    };
-    run.first..run.first + count
 }
 
 /// Whether the plane of a sheet passes through a box, or may do so.

@@ -20,6 +20,7 @@ mod tests;
 mod uv;
 
 pub use abreast::{Abreast, Round};
+pub use body::Body;
 pub use build::GeometryError;
 pub use hit::{Hit, hit_triangle, hit_triangle_with};
 pub use placed::PlacedMesh;

@@ -18,6 +18,7 @@
 
 use crate::math::{Bounds, Interval, Vec3A};
 use crate::ray::Ray;
+use crate::simd::{Select, Simd, SimdBase, f32x8};
 
 const UNIT: f32 = 1.0 / (1 << 24) as f32;
 
@@ -86,6 +87,18 @@ impl Errors {
             depth: 256.0 * UNIT * far,
             floor: largest * largest * 2f32.powi(-120),
         }
+    }
+
+    /// Of eight rays, in the order of the fields.
+    #[inline(always)]
+    pub fn abreast<S: Simd>(simd: S, far: f32x8<S>, step: f32x8<S>) -> [f32x8<S>; 5] {
+        let of = |x: f32| f32x8::splat(simd, x);
+        let far = far * of(1.0 + 4.0 * UNIT);
+        let larger = far.simd_gt(step).select(far, step);
+        let largest = larger.simd_gt(of(1.0)).select(larger, of(1.0));
+        let weight = of(64.0 * UNIT) * far * step;
+        let floor = largest * largest * of(2f32.powi(-120));
+        [far / step * of(1.001), weight, of(64.0 * UNIT) * step, of(256.0 * UNIT) * far, floor]
     }
 
     /// By how much of t two hits must differ for their order to be certain, beside the rounding

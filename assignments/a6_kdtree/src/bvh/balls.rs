@@ -109,9 +109,15 @@ impl Balls {
         self.count == 0
     }
 
-    /// A bit for each of eight rays that may meet the ball at `place`.
+    /// A bit for each of up to eight rays that may meet the ball at `place`.
     #[inline(always)]
-    fn rays_meeting<S: Simd>(&self, simd: S, rays: &Abreast, place: usize, ahead: bool) -> u32 {
+    fn rays_meeting<S: Simd>(
+        &self,
+        simd: S,
+        (all, rays): (&[Ray], &Abreast),
+        place: usize,
+        interval: Interval,
+    ) -> u32 {
         let pairs = Pairs {
             center: each([0, 1, 2], |axis: usize| f32x8::splat(simd, self.center[axis][place])),
             radius: f32x8::splat(simd, self.radius[place]),
@@ -119,7 +125,7 @@ impl Balls {
             origin: load(simd, &rays.origin),
             direction: load(simd, &rays.direction),
         };
-        pairs.meeting(simd, ahead)
+        pairs.meeting(simd, interval.min >= 0.0) & ((1 << all.len()) - 1)
     }
 
     /// A bit for each ball that a ray may meet.
@@ -152,8 +158,7 @@ impl Balls {
         c: &mut Counters,
     ) {
         for place in 0..self.count {
-            let meeting = self.rays_meeting(simd, abreast, place, interval.min >= 0.0);
-            let meeting = meeting & ((1 << rays.len()) - 1);
+            let meeting = self.rays_meeting(simd, (rays, abreast), place, interval);
             if meeting.count_ones() < ENOUGH {
                 for lane in lanes_of(meeting) {
                     let place = [place as u32].into_iter();
@@ -182,8 +187,7 @@ impl Balls {
         c: &mut Counters,
     ) {
         for place in 0..self.count {
-            let meeting = self.rays_meeting(simd, abreast, place, interval.min >= 0.0);
-            let meeting = meeting & ((1 << rays.len()) - 1);
+            let meeting = self.rays_meeting(simd, (rays, abreast), place, interval);
             if meeting.count_ones() < ENOUGH {
                 for lane in lanes_of(meeting) {
                     let place = [place as u32].into_iter();

@@ -11,7 +11,7 @@ use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::Interval;
 use common::ray::Ray;
-use common::simd::Simd;
+use common::simd::{Simd, SimdBase, f32x8};
 
 /// Rays that go together.
 pub struct Bundle<'p> {
@@ -37,10 +37,11 @@ impl Bundle<'_> {
 
     /// Where boxes matter to each ray, if hits matter until `last`; to none that is not asked for.
     #[inline(always)]
-    fn limits(&self, last: &Lanes) -> Lanes {
-        let mut limits = [f32::NEG_INFINITY; RAYS];
-        for lane in lanes_of(self.asked) {
-            limits[lane] = limit(last[lane], self.packet.margin(lane));
+    fn limits<S: Simd>(&self, simd: S, last: &Lanes) -> Lanes {
+        let mut limits = self.packet.limits(simd, last);
+        for (lane, limit) in limits.iter_mut().enumerate() {
+            let is_asked = self.asked >> lane & 1 == 1;
+            *limit = if is_asked { *limit } else { f32::NEG_INFINITY };
         }
         limits
     }
@@ -79,7 +80,7 @@ impl<S: Simd> Visit<S> for Firsts<'_, '_> {
             self.last[lane] = self.bvh.nearest_held(simd, held, &job, last, best, c);
             self.limits[lane] = limit(self.last[lane], packet.margin(lane));
         }
-        greatest(&self.limits)
+        greatest(simd, &self.limits)
     }
 }
 
@@ -121,9 +122,9 @@ impl Bvh<'_> {
         for (last, best) in last.iter_mut().zip(best.iter()) {
             *last = best.map_or(*last, |b| b.t);
         }
-        let limits = bundle.limits(&last);
+        let limits = bundle.limits(simd, &last);
         let mut firsts = Firsts { bvh: self, bundle, last, limits, best };
-        walk(simd, self, stack, greatest(&limits), bundle, &mut firsts, c);
+        walk(simd, self, stack, greatest(simd, &limits), bundle, &mut firsts, c);
     }
 
     /// A bit for each of the asked rays that hits anything.
@@ -135,8 +136,8 @@ impl Bvh<'_> {
         stack: &mut Stack,
         c: &mut Counters,
     ) -> u32 {
-        let limits = bundle.limits(&[bundle.interval.max; RAYS]);
-        let max = greatest(&limits);
+        let limits = bundle.limits(simd, &[bundle.interval.max; RAYS]);
+        let max = greatest(simd, &limits);
         let mut blocked = AllBlocked { bvh: self, bundle, limits, max, hit: 0 };
         walk(simd, self, stack, max, bundle, &mut blocked, c);
         blocked.hit
@@ -144,8 +145,10 @@ impl Bvh<'_> {
 }
 
 #[inline(always)]
-fn greatest(lanes: &Lanes) -> f32 {
-    lanes.iter().fold(f32::NEG_INFINITY, |m, &l| if l > m { l } else { m })
+fn greatest<S: Simd>(simd: S, lanes: &Lanes) -> f32 {
+    let (low, high) = simd.split_f32x8(f32x8::from_slice(simd, lanes));
+    let [a, b, c, d] = *low.max(high);
+    a.max(b).max(c.max(d))
 }
 
 /// The numbers of the bits that are set.

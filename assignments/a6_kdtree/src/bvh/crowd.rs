@@ -8,7 +8,7 @@ use super::bundle::{Bundle, lanes_of};
 use super::frustum::starts_together;
 use super::packet::{Packet, RAYS};
 use super::purpose::{At, Purpose};
-use super::single::{Query, limit};
+use super::single::Query;
 use super::slot::{DEEPEST, Slot};
 use super::wide::Bvh;
 use common::accel::Job;
@@ -150,10 +150,10 @@ impl Bvh<'_> {
     /// Whether rays had better be followed one after the other. Those that start beside each
     /// other find what they need in the nearest cache, if all of the tree is in some cache.
     #[inline(always)]
-    fn is_alone_better(&self, packet: &Packet) -> bool {
+    fn is_alone_better<S: Simd>(&self, simd: S, packet: &Packet) -> bool {
         self.depth > DEEPEST
             || self.nodes.len() <= FEW
-            || !self.is_large() && starts_together(packet, &self.bounds)
+            || !self.is_large() && starts_together(simd, packet, &self.bounds)
     }
 
     /// Gives rays to idle slots.
@@ -209,19 +209,20 @@ impl Bvh<'_> {
         if !self.balls.is_empty() || !self.geometry.sheets().is_empty() {
             let mut last = [f32::NEG_INFINITY; RAYS];
             for (lane, last) in last.iter_mut().enumerate().take(rays.len()) {
-                *last = limit(purpose.last(queue.first + lane), queue.packet.margin(lane));
+                *last = purpose.last(queue.first + lane);
             }
-            queue.asked &= queue.packet.rays_inside(simd, &self.bounds, interval.min, &last);
+            let limits = queue.packet.limits(simd, &last);
+            queue.asked &= queue.packet.rays_inside(simd, &self.bounds, interval.min, &limits);
         }
         if queue.asked == 0 {
             return;
         }
-        if let Some(frustum) = self.frustum(&queue.packet, rays.len()) {
+        if let Some(frustum) = self.frustum(simd, &queue.packet, rays.len()) {
             let bundle =
                 Bundle { packet: &queue.packet, frustum: &frustum, rays, asked: queue.asked, interval };
             purpose.bundle(simd, self, &bundle, queue.first, c);
             queue.asked = 0;
-        } else if alone || self.is_alone_better(&queue.packet) {
+        } else if alone || self.is_alone_better(simd, &queue.packet) {
             for lane in lanes_of(queue.asked) {
                 let query = Query { packet: &queue.packet, lane, ray: &rays[lane], interval };
                 purpose.alone(simd, self, &query, queue.first + lane, c);

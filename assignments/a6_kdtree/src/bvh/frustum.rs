@@ -4,7 +4,8 @@
 //! Origins and inverse directions of the rays lie in intervals, so where they meet a side does
 //! too. A box that this interval passes by is passed by by every ray.
 
-use super::packet::{Lanes, Packet, RAYS};
+use super::abreast::turn;
+use super::packet::{EVERY, Lanes, Packet};
 use super::wide::{WIDTH, WideNode};
 use common::math::Bounds;
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
@@ -31,39 +32,34 @@ pub struct Frustum {
 impl Frustum {
     /// Encloses the rays of a packet if they are a bundle worth it.
     #[inline(always)]
-    pub fn around(packet: &Packet, bounds: &Bounds) -> Option<Self> {
-        let backward = packet.backward[0];
-        let mut differing = 0;
-        for lane in 1..RAYS {
-            differing |= packet.backward[lane] ^ backward;
-        }
-        if differing != 0 {
+    pub fn around<S: Simd>(simd: S, packet: &Packet, bounds: &Bounds) -> Option<Self> {
+        let one_way = packet.backward.iter().all(|rays| *rays == 0 || *rays == EVERY);
+        if !one_way || packet.usable != EVERY || packet.error[0][0] == f32::INFINITY {
             return None;
         }
-        let size = bounds.size().max_element();
-        let mut step = 0.0f32;
-        for axis in 0..3 {
-            step = step.max(packet.direction[axis][0].abs());
+        let backward = packet.backward[0] & 1 | packet.backward[1] & 2 | packet.backward[2] & 4;
+        let origin = ranges(simd, &packet.origin);
+        let direction = ranges(simd, &packet.direction);
+        let (apart, step) = (bounds.size().max_element() * APART, greatest(&packet.direction, 0) * SPREAD);
+        let beside = |[low, high]: &[f32; 2], most: f32| high - low <= most;
+        let bundle = origin.iter().all(|o| beside(o, apart)) && direction.iter().all(|d| beside(d, step));
+        if !bundle {
+            return None;
         }
-        let mut f =
-            Self { sign: [0.0; 3], origin: [[0.0; 2]; 3], inverse: [[0.0; 2]; 3], error: [0.0; 3], backward };
+        let inverse = ranges(simd, &packet.inverse);
+        let error = ranges(simd, &packet.error).map(|[_, most]| most);
+        let mut f = Self { sign: [1.0; 3], origin, inverse, error, backward };
         for axis in 0..3 {
-            let (low_origin, high_origin) = range(&packet.origin[axis]);
-            let (low_step, high_step) = range(&packet.direction[axis]);
-            // Written so that NaN is no bundle.
-            let bundle = high_origin - low_origin <= size * APART && high_step - low_step <= step * SPREAD;
-            if !bundle {
-                return None;
+            let [low, high] = origin[axis];
+            if backward >> axis & 1 == 0 {
+                f.origin[axis] = [high, low];
+            } else {
+                f.sign[axis] = -1.0;
+                f.origin[axis] = [-low, -high];
+                f.inverse[axis] = [-inverse[axis][1], -inverse[axis][0]];
             }
-            let (low, high) = range(&packet.inverse[axis]);
-            let (_, error) = range(&packet.error[axis]);
-            let forward = backward >> axis & 1 == 0;
-            f.sign[axis] = if forward { 1.0 } else { -1.0 };
-            f.origin[axis] = if forward { [high_origin, low_origin] } else { [-low_origin, -high_origin] };
-            f.inverse[axis] = if forward { [low, high] } else { [-high, -low] };
-            f.error[axis] = error;
         }
-        (f.error[0] < f32::INFINITY).then_some(f)
+        Some(f)
     }
 
     /// A bit for every child whose box one of the rays may meet between `min` and `max`, and
@@ -100,22 +96,31 @@ impl Frustum {
 
 /// Whether the rays of a packet start near each other.
 #[inline(always)]
-pub fn starts_together(packet: &Packet, bounds: &Bounds) -> bool {
+pub fn starts_together<S: Simd>(simd: S, packet: &Packet, bounds: &Bounds) -> bool {
     let apart = bounds.size().max_element() * APART;
-    let mut together = true;
-    for axis in 0..3 {
-        let (low, high) = range(&packet.origin[axis]);
-        together &= high - low <= apart;
-    }
-    together
+    // Written so that NaN is not near.
+    ranges(simd, &packet.origin).iter().all(|[low, high]| high - low <= apart)
 }
 
+/// The largest component of one ray's vector.
 #[inline(always)]
-fn range(lanes: &Lanes) -> (f32, f32) {
-    let (mut low, mut high) = (lanes[0], lanes[0]);
-    for &x in lanes {
-        low = if x < low { x } else { low };
-        high = if x > high { x } else { high };
-    }
-    (low, high)
+fn greatest(vectors: &[Lanes; 3], lane: usize) -> f32 {
+    vectors[0][lane].abs().max(vectors[1][lane].abs()).max(vectors[2][lane].abs())
+}
+
+/// The least and the greatest of eight finite numbers, for each of three axes. What numbers that
+/// are not finite make of it means nothing.
+#[inline(always)]
+fn ranges<S: Simd>(simd: S, lanes: &[Lanes; 3]) -> [[f32; 2]; 3] {
+    let halves = |axis: usize| {
+        let (a, b) = simd.split_f32x8(f32x8::from_slice(simd, &lanes[axis]));
+        (a.min(b), a.max(b))
+    };
+    let ((x, most_x), (y, most_y), (z, most_z)) = (halves(0), halves(1), halves(2));
+    let (mut least, mut most) = ([0.0; 4], [0.0; 4]);
+    let [a, b, c, d] = turn(simd, [x, y, z, z]);
+    a.min(b).min(c.min(d)).store_slice(&mut least);
+    let [a, b, c, d] = turn(simd, [most_x, most_y, most_z, most_z]);
+    a.max(b).max(c.max(d)).store_slice(&mut most);
+    [[least[0], most[0]], [least[1], most[1]], [least[2], most[2]]]
 }

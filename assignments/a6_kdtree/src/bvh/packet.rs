@@ -1,15 +1,20 @@
 //! Up to eight rays side by side, prepared for boxes and triangles.
 
+pub use super::abreast::RAYS;
+
+use super::abreast::{columns, pad};
 use super::beam::Beam;
+use super::single::ROUNDING;
 use super::slabs::{ORDINARY, Slabs};
 use super::wide::{WIDTH, WideNode};
+use common::math::lanes::store;
 use common::math::{Bounds, Vec3};
 use common::ray::Ray;
 use common::shape::filter::{Errors, Filter, MARGIN};
-use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
-/// Rays in a packet.
-pub const RAYS: usize = 8;
+/// A bit for each ray.
+pub const EVERY: u32 = (1 << RAYS) - 1;
 
 /// One number for each ray.
 pub type Lanes<const N: usize = RAYS> = [f32; N];
@@ -37,49 +42,49 @@ pub struct Packet<const N: usize = RAYS> {
     floor: Lanes<N>,
     /// A bit for every ray that can hit anything at all.
     pub usable: u32,
-    /// A bit for every axis along which the high side comes first.
-    pub backward: [u32; N],
+    /// By axis, a bit for every ray that meets the high side first.
+    pub backward: [u32; 3],
 }
 
 impl Packet {
     /// Prepares one to eight rays for a tree within `bounds`; unused places repeat the last.
     #[inline(always)]
     pub fn of<S: Simd>(simd: S, rays: &[Ray], bounds: &Bounds) -> Self {
-        let mut packet = Self::EMPTY;
-        for lane in 0..RAYS {
-            let ray = &rays[if lane < rays.len() { lane } else { rays.len() - 1 }];
-            for axis in 0..3 {
-                packet.origin[axis][lane] = ray.origin[axis];
-                packet.direction[axis][lane] = ray.direction[axis];
+        let padded;
+        let rays = match rays.first_chunk() {
+            Some(all) => all,
+            None => {
+                padded = pad(rays, rays[rays.len() - 1]);
+                &padded
             }
-        }
-        let (mut far, mut step) = (f32x8::splat(simd, 0.0), f32x8::splat(simd, 0.0));
-        let mut usable = (1 << RAYS) - 1;
+        };
+        let [origin, direction] = columns(simd, rays);
+        let zero = f32x8::splat(simd, 0.0);
+        let (mut far, mut step, mut nothing) = (zero, zero, zero);
+        let mut packet = Self { origin: store(origin), direction: store(direction), ..Self::EMPTY };
         for axis in 0..3 {
-            let [o, d] = [&packet.origin, &packet.direction].map(|v| f32x8::from_slice(simd, &v[axis]));
-            let [min, max] = [bounds.min, bounds.max].map(|corner| f32x8::splat(simd, corner[axis]));
-            let slab = Slabs::new(simd, o, d, min, max);
+            let (o, d) = (origin[axis], direction[axis]);
+            let [min, max] = [bounds.min[axis], bounds.max[axis]];
+            let slab = Slabs::new(simd, o, d, f32x8::splat(simd, min), f32x8::splat(simd, max));
             slab.inverse.store_slice(&mut packet.inverse[axis]);
             slab.error.store_slice(&mut packet.error[axis]);
             slab.near_offset.store_slice(&mut packet.near_offset[axis]);
             slab.far_offset.store_slice(&mut packet.far_offset[axis]);
+            packet.backward[axis] = slab.inverse.simd_lt(zero).to_bitmask() as u32;
             far = far.max(slab.far);
             step = step.max(d.abs());
-            usable &= o.abs().max(d.abs()).simd_lt(f32x8::splat(simd, f32::INFINITY)).to_bitmask() as u32;
-            let backward = slab.inverse.simd_lt(f32x8::splat(simd, 0.0)).to_bitmask() as u32;
-            for lane in 0..RAYS {
-                packet.backward[lane] |= (backward >> lane & 1) << axis;
-            }
+            // 0 of what is finite, else NaN.
+            nothing += o * zero + d * zero;
         }
-        packet.usable = usable & step.simd_gt(f32x8::splat(simd, 0.0)).to_bitmask() as u32;
-        let (mut fars, mut steps) = ([0.0; RAYS], [0.0; RAYS]);
-        far.store_slice(&mut fars);
-        step.store_slice(&mut steps);
-        for lane in 0..RAYS {
-            packet.set_errors(lane, &Errors::new(fars[lane], steps[lane]));
-        }
+        packet.usable = (nothing.simd_eq(zero) & step.simd_gt(zero)).to_bitmask() as u32;
+        let [reach, weight, along, depth, floor] = Errors::abreast(simd, far, step);
+        reach.store_slice(&mut packet.reach);
+        weight.store_slice(&mut packet.weight);
+        along.store_slice(&mut packet.along);
+        depth.store_slice(&mut packet.depth);
+        floor.store_slice(&mut packet.floor);
         let ordinary = far.simd_lt(step * f32x8::splat(simd, ORDINARY)).to_bitmask() as u32;
-        if ordinary != (1 << RAYS) - 1 {
+        if ordinary != EVERY {
             packet.give_up();
         }
         packet
@@ -100,6 +105,7 @@ impl Packet<1> {
             [[lanes[0]], [lanes[1]], [lanes[2]]]
         };
         let far = by_axis(slab.far);
+        let backward = slab.inverse.simd_lt(f32x8::splat(simd, 0.0)).to_bitmask() as u32;
         let mut packet = Self {
             origin: [[ray.origin.x], [ray.origin.y], [ray.origin.z]],
             direction: [[ray.direction.x], [ray.direction.y], [ray.direction.z]],
@@ -113,7 +119,7 @@ impl Packet<1> {
             depth: [0.0],
             floor: [0.0],
             usable: 1,
-            backward: [slab.inverse.simd_lt(f32x8::splat(simd, 0.0)).to_bitmask() as u32 & 7],
+            backward: [backward & 1, backward >> 1 & 1, backward >> 2 & 1],
         };
         let far = greater(greater(far[0][0], far[1][0]), far[2][0]);
         let step = ray.direction.abs().max_element();
@@ -153,7 +159,7 @@ impl<const N: usize> Packet<N> {
         depth: [0.0; N],
         floor: [0.0; N],
         usable: 0,
-        backward: [0; N],
+        backward: [0; 3],
     };
 
     /// Lets all rays meet every box.
@@ -181,7 +187,8 @@ impl<const N: usize> Packet<N> {
         let inverse = [ix[lane], iy[lane], iz[lane]];
         let near_offset = [nx[lane], ny[lane], nz[lane]];
         let far_offset = [fx[lane], fy[lane], fz[lane]];
-        Beam::new(inverse, near_offset, far_offset, self.backward[lane])
+        let [bx, by, bz] = self.backward.map(|rays| rays >> lane & 1);
+        Beam::new(inverse, near_offset, far_offset, bx | by << 1 | bz << 2)
     }
 
     /// One ray, prepared for triangles.
@@ -211,6 +218,17 @@ impl<const N: usize> Packet<N> {
 }
 
 impl Packet {
+    /// For each ray the [`limit`](super::single::limit) of its t.
+    #[inline(always)]
+    pub fn limits<S: Simd>(&self, simd: S, t: &Lanes) -> Lanes {
+        let t = f32x8::from_slice(simd, t);
+        let margin = f32x8::from_slice(simd, &self.reach) * f32x8::splat(simd, MARGIN);
+        let later = t + t.abs() * f32x8::splat(simd, ROUNDING) + margin;
+        let mut limits = [0.0; RAYS];
+        t.simd_eq(f32x8::splat(simd, f32::INFINITY)).select(t, later).store_slice(&mut limits);
+        limits
+    }
+
     /// A bit for every ray that may meet the box of a node's child between `min` and its own
     /// entry of `max`. All rays must have the directions' signs `backward`.
     #[inline(always)]

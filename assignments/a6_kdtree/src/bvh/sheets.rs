@@ -6,84 +6,76 @@
 use super::abreast::{Abreast, RAYS};
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit, Sheet};
-use common::math::{Interval, sum3};
+use common::math::Interval;
+use common::math::lanes::{Vectors, each, load, multiply, narrow, sum3, widen};
 use common::ray::Ray;
 use common::shape::ExactRay;
 use common::shape::plane::Plane;
-
-/// One number for each ray.
-type Lanes = [f64; RAYS];
+use common::simd::{Select, Simd, SimdBase, SimdMask, f32x8, f64x8, mask32x8, u32x8};
 
 /// Rays widened, one axis after the other.
-struct Widened {
-    origin: [Lanes; 3],
-    direction: [Lanes; 3],
+struct Widened<S: Simd> {
+    origin: Vectors<f64x8<S>>,
+    direction: Vectors<f64x8<S>>,
     /// Those that can hit anything at all.
-    usable: [bool; RAYS],
+    usable: mask32x8<S>,
     /// What they leave.
-    home: [u32; RAYS],
+    home: u32x8<S>,
 }
 
-impl Widened {
+impl<S: Simd> Widened<S> {
     /// Of rays side by side.
     #[inline(always)]
-    fn of(rays: &Abreast) -> Self {
-        let nowhere = [[0.0; RAYS]; 3];
-        let mut wide = Self { origin: nowhere, direction: nowhere, usable: [false; RAYS], home: rays.home };
+    fn of(simd: S, rays: &Abreast) -> Self {
+        let (origin, direction) = (load(simd, &rays.origin), load(simd, &rays.direction));
+        let zero = f32x8::splat(simd, 0.0);
+        let (mut nothing, mut step) = (zero, zero);
         for axis in 0..3 {
-            for lane in 0..RAYS {
-                wide.origin[axis][lane] = f64::from(rays.origin[axis][lane]);
-                wide.direction[axis][lane] = f64::from(rays.direction[axis][lane]);
-            }
+            // 0 of what is finite, else NaN.
+            nothing += origin[axis] * zero + direction[axis] * zero;
+            step += direction[axis].abs();
         }
-        for lane in 0..RAYS {
-            let [o, d] = [&wide.origin, &wide.direction].map(|v| {
-                let [x, y, z] = [v[0][lane].abs(), v[1][lane].abs(), v[2][lane].abs()];
-                // A NaN makes the sum one.
-                x + y + z
-            });
-            wide.usable[lane] = o < f64::INFINITY && d < f64::INFINITY && d > 0.0;
+        Self {
+            origin: each(origin, |x| widen(simd, x)),
+            direction: each(direction, |x| widen(simd, x)),
+            usable: nothing.simd_eq(zero) & step.simd_gt(zero),
+            home: u32x8::from_slice(simd, &rays.home),
         }
-        wide
     }
 
     /// Where each ray crosses a plane without a rim, rounded once; what is no number in the range
     /// of single precision, or not even that, lies in no interval.
     #[inline(always)]
-    fn crossings(&self, plane: &Plane) -> [f32; RAYS] {
-        let (n, mut t) = (plane.normal, [0.0; RAYS]);
-        for lane in 0..RAYS {
-            let along = |v: &[Lanes; 3]| sum3(n.x * v[0][lane], n.y * v[1][lane], n.z * v[2][lane]);
-            t[lane] = ((plane.offset - along(&self.origin)) / along(&self.direction)) as f32;
-        }
-        t
+    fn crossings(&self, simd: S, plane: &Plane) -> f32x8<S> {
+        let of = |x: f64| f64x8::splat(simd, x);
+        let normal = [of(plane.normal.x), of(plane.normal.y), of(plane.normal.z)];
+        let start = sum3(multiply(normal, self.origin));
+        narrow(simd, (of(plane.offset) - start) / sum3(multiply(normal, self.direction)))
     }
 
-    /// Whether a ray may hit a sheet: whether it can hit anything, and leaves another.
+    /// Which rays may hit a sheet: those that can hit anything, and leave another.
     #[inline(always)]
-    fn is_asked(&self, lane: usize, sheet: &Sheet) -> bool {
-        self.usable[lane] & (self.home[lane] != sheet.primitive)
+    fn asked(&self, simd: S, sheet: &Sheet) -> mask32x8<S> {
+        self.usable & !self.home.simd_eq(u32x8::splat(simd, sheet.primitive))
     }
 
     /// Where each ray meets one of the sheets inside an interval; NaN where it does not.
     #[inline(always)]
-    fn meet(&self, rays: &[Ray], geometry: &Geometry, index: usize, interval: Interval) -> [f32; RAYS] {
+    fn meet(&self, simd: S, rays: &[Ray], geometry: &Geometry, index: usize, interval: Interval) -> f32x8<S> {
         let sheet = &geometry.sheets()[index];
         let plane = &sheet.plane;
+        let asked = self.asked(simd, sheet);
         if plane.disc.is_some() {
-            let mut t = [f32::NAN; RAYS];
-            for (lane, ray) in rays.iter().enumerate().filter(|(lane, _)| self.is_asked(*lane, sheet)) {
+            let (mut t, asked) = ([f32::NAN; RAYS], asked.to_bitmask());
+            for (lane, ray) in rays.iter().enumerate().filter(|(lane, _)| asked >> lane & 1 == 1) {
                 let hit = geometry.hit_sheet(index, &ExactRay::new(ray), interval);
                 t[lane] = hit.map_or(f32::NAN, |hit| hit.t);
             }
-            return t;
+            return f32x8::from_slice(simd, &t);
         }
-        let mut crossings = self.crossings(plane);
-        for (lane, t) in crossings.iter_mut().enumerate() {
-            let counts = self.is_asked(lane, sheet) & (*t > interval.min) & (*t < interval.max);
-            *t = if counts { *t } else { f32::NAN };
-        }
-        crossings
+        let t = self.crossings(simd, plane);
+        let of = |x: f32| f32x8::splat(simd, x);
+        (asked & t.simd_gt(of(interval.min)) & t.simd_lt(of(interval.max))).select(t, of(f32::NAN))
     }
 }
 
@@ -100,56 +92,51 @@ pub fn all_leave(sheets: &[Sheet], rays: &[Ray]) -> bool {
 /// The first hit of each of up to eight rays among planes and discs, as
 /// [`Geometry::nearest_sheet`] finds it.
 #[inline(always)]
-pub fn nearest(
+pub fn nearest<S: Simd>(
+    simd: S,
     geometry: &Geometry,
     (rays, abreast): (&[Ray], &Abreast),
     interval: Interval,
     hits: &mut [Option<Hit>],
     c: &mut Counters,
 ) {
-    let sheets = geometry.sheets();
-    if all_leave(sheets, rays) {
-        return hits.fill(None);
+    let wide = Widened::of(simd, abreast);
+    let (mut first, mut number) = (f32x8::splat(simd, f32::INFINITY), u32x8::splat(simd, 0));
+    for (index, sheet) in geometry.sheets().iter().enumerate() {
+        let t = wide.meet(simd, rays, geometry, index, interval);
+        c.intersections += u64::from(wide.asked(simd, sheet).to_bitmask().count_ones());
+        // Sheets come in order of their numbers, so that an equal t changes nothing.
+        let nearer = t.simd_lt(first);
+        first = nearer.select(t, first);
+        number = nearer.select(u32x8::splat(simd, sheet.primitive), number);
     }
-    let wide = Widened::of(abreast);
-    let (mut first, mut number) = ([f32::INFINITY; RAYS], [0; RAYS]);
-    for (index, sheet) in sheets.iter().enumerate() {
-        let t = wide.meet(rays, geometry, index, interval);
-        for lane in 0..RAYS {
-            c.intersections += u64::from(wide.is_asked(lane, sheet));
-            // Sheets come in order of their numbers, so that an equal t changes nothing.
-            let nearer = t[lane] < first[lane];
-            first[lane] = if nearer { t[lane] } else { first[lane] };
-            number[lane] = if nearer { sheet.primitive } else { number[lane] };
-        }
-    }
-    for (lane, hit) in hits.iter_mut().enumerate() {
-        let found = Hit { t: first[lane], primitive: number[lane], u: 0.0, v: 0.0 };
-        *hit = (first[lane] < f32::INFINITY).then_some(found);
+    let (mut t, mut primitive) = ([0.0; RAYS], [0; RAYS]);
+    first.store_slice(&mut t);
+    number.store_slice(&mut primitive);
+    for (lane, hit) in hits.iter_mut().enumerate().take(RAYS) {
+        let found = Hit { t: t[lane], primitive: primitive[lane], u: 0.0, v: 0.0 };
+        *hit = (t[lane] < f32::INFINITY).then_some(found);
     }
 }
 
 /// Whether each of up to eight rays hits any plane or disc, as [`Geometry::any_sheet`] finds it.
 #[inline(always)]
-pub fn any(
+pub fn any<S: Simd>(
+    simd: S,
     geometry: &Geometry,
     (rays, abreast): (&[Ray], &Abreast),
     interval: Interval,
     hit: &mut [bool],
     c: &mut Counters,
 ) {
-    let sheets = geometry.sheets();
-    if all_leave(sheets, rays) {
-        return hit.fill(false);
+    let wide = Widened::of(simd, abreast);
+    let mut blocked = 0;
+    for (index, sheet) in geometry.sheets().iter().enumerate() {
+        let t = wide.meet(simd, rays, geometry, index, interval);
+        c.intersections += u64::from((wide.asked(simd, sheet).to_bitmask() & !blocked).count_ones());
+        blocked |= t.simd_eq(t).to_bitmask();
     }
-    let wide = Widened::of(abreast);
-    let mut blocked = [false; RAYS];
-    for (index, sheet) in sheets.iter().enumerate() {
-        let t = wide.meet(rays, geometry, index, interval);
-        for lane in 0..RAYS {
-            c.intersections += u64::from(wide.is_asked(lane, sheet) & !blocked[lane]);
-            blocked[lane] |= !t[lane].is_nan();
-        }
+    for (lane, hit) in hit.iter_mut().enumerate() {
+        *hit = blocked >> lane & 1 == 1;
     }
-    hit.copy_from_slice(&blocked[..hit.len()]);
 }

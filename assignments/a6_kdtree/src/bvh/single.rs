@@ -14,7 +14,7 @@ use common::shape::ExactRay;
 use common::simd::Simd;
 
 /// More than the rounding of t at both sides of a comparison; relative to t.
-const ROUNDING: f32 = 1.0 / (1 << 20) as f32;
+pub const ROUNDING: f32 = 1.0 / (1 << 20) as f32;
 
 /// A box that is entered later than this holds nothing that could come before a hit at `t`, or
 /// tie with it, or lie in an interval that ends there.

@@ -58,12 +58,17 @@ impl Bvh<'_> {
             return hits.fill(None);
         }
         for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
-            if self.balls.is_empty() && sheets::all_leave(self.geometry.sheets(), rays) {
+            let all_leave = sheets::all_leave(self.geometry.sheets(), rays);
+            if all_leave {
                 hits.fill(None);
-                continue;
+                if self.balls.is_empty() {
+                    continue;
+                }
             }
-            let abreast = Abreast::of(rays);
-            sheets::nearest(self.geometry, (rays, &abreast), interval, hits, c);
+            let abreast = Abreast::of(simd, rays);
+            if !all_leave {
+                sheets::nearest(simd, self.geometry, (rays, &abreast), interval, hits, c);
+            }
             self.balls.nearest(simd, self.geometry, (rays, &abreast), interval, hits, c);
         }
     }
@@ -82,12 +87,17 @@ impl Bvh<'_> {
             return hit.fill(false);
         }
         for (rays, hit) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {
-            if self.balls.is_empty() && sheets::all_leave(self.geometry.sheets(), rays) {
+            let all_leave = sheets::all_leave(self.geometry.sheets(), rays);
+            if all_leave {
                 hit.fill(false);
-                continue;
+                if self.balls.is_empty() {
+                    continue;
+                }
             }
-            let abreast = Abreast::of(rays);
-            sheets::any(self.geometry, (rays, &abreast), interval, hit, c);
+            let abreast = Abreast::of(simd, rays);
+            if !all_leave {
+                sheets::any(simd, self.geometry, (rays, &abreast), interval, hit, c);
+            }
             self.balls.any(simd, self.geometry, (rays, &abreast), interval, hit, c);
         }
     }
@@ -158,8 +168,8 @@ const BUNDLE: usize = 4;
 impl Bvh<'_> {
     /// What encloses a packet's rays, if they are worth following together.
     #[inline(always)]
-    pub(super) fn frustum(&self, packet: &Packet, rays: usize) -> Option<Frustum> {
-        if rays < BUNDLE { None } else { Frustum::around(packet, &self.bounds) }
+    pub(super) fn frustum<S: Simd>(&self, simd: S, packet: &Packet, rays: usize) -> Option<Frustum> {
+        if rays < BUNDLE { None } else { Frustum::around(simd, packet, &self.bounds) }
     }
 }
 
