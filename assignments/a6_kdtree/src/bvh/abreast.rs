@@ -100,9 +100,9 @@ mod tests {
                 #[inline(always)]
                 || Abreast::of(s, &rays[..len]),
             ));
-            for lane in 0..RAYS {
+            for (lane, ray) in rays.into_iter().enumerate() {
                 let nowhere = Ray::new(Vec3::ZERO, Vec3::ZERO);
-                let expected = if lane < len { rays[lane] } else { nowhere };
+                let expected = if lane < len { ray } else { nowhere };
                 let origin: [f32; 3] = std::array::from_fn(|axis| abreast.origin[axis][lane]);
                 let direction: [f32; 3] = std::array::from_fn(|axis| abreast.direction[axis][lane]);
                 let found = Ray::leaving(abreast.home[lane], origin.into(), direction.into());

@@ -8,7 +8,7 @@ use common::math::lanes::{
     LANES, Stored, Vectors, add, dot, each, load_wide, narrow, normalize, normalize_or, scale, store,
     store_wide, subtract, widen,
 };
-use common::math::{DVec3, Vec3};
+use common::math::{DVec3, Vec3, circle};
 use common::shape::sphere::Sphere;
 use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f64x8};
 use std::f64::consts::TAU;
@@ -106,7 +106,13 @@ fn from_ball<S: Simd>(
     let sine_squared = sine * sine;
     let is_outside = distance.simd_gt(radius);
     let height = is_outside.select(sine_squared / (one + (one - sine_squared).sqrt()), two);
-    let (x, y) = disc(simd, f64x8::from_slice(simd, &uv[0]), f64x8::from_slice(simd, &uv[1]));
+    let uv = [f64x8::from_slice(simd, &uv[0]), f64x8::from_slice(simd, &uv[1])];
+    let (x, y) = disc(
+        uv,
+        circle::DOUBLE,
+        #[inline(always)]
+        |c| f64x8::splat(simd, c),
+    );
     let down = height * (x * x + y * y);
     let spread = (height * (two - down)).max(zero).sqrt();
     let axis = normalize_or(simd, each(to_center, |c| c / distance), [zero, zero, one]);

@@ -5,14 +5,14 @@ use super::places::Places;
 use super::surface::WORTH_GOING_ON;
 use super::{PathTracer, Scratch};
 use crate::Integrator;
-use crate::eight::{disc_single, orthonormal_pair};
+use crate::eight::{disc, orthonormal_pair};
 use crate::light::Receivers;
 use crate::numbers::Use;
 use common::counters::Counters;
-use common::math::Vec3;
 use common::math::lanes::{
     Stored, add, dot, each, load, load_wide, multiply, narrow, normalize_single, scale, store, widen,
 };
+use common::math::{Vec3, circle};
 use common::ray::Ray;
 use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8, f64x8};
 use std::f32::consts::FRAC_1_PI;
@@ -111,7 +111,12 @@ impl PathTracer<'_> {
         let u = narrow(simd, f64x8::from_slice(simd, &uv[0]));
         let v = narrow(simd, f64x8::from_slice(simd, &uv[1]));
         let inside = u.max(zero).min(of(1.0 - f32::EPSILON));
-        let (x, y) = disc_single(simd, inside, v);
+        let (x, y) = disc(
+            [inside, v],
+            circle::SINGLE,
+            #[inline(always)]
+            |c| of(c as f32),
+        );
         let z = (one - x * x - y * y).max(zero).sqrt();
         let [a, b] = orthonormal_pair(places.normal, one);
         let into = add(add(scale(a, x), scale(b, y)), scale(places.normal, z));
