@@ -1,6 +1,8 @@
 //! Rays.
 
+use crate::math::lanes::{LANES, Vectors, turn};
 use crate::math::{DVec3, Vec3};
+use crate::simd::{Simd, SimdBase, f32x4, f32x8};
 
 /// A half line (or line, if the interval of a query says so): points origin + t·direction.
 ///
@@ -48,4 +50,29 @@ impl Ray {
     pub fn is_usable(&self) -> bool {
         self.origin.is_finite() && self.direction.is_finite() && self.direction != Vec3::ZERO
     }
+
+    /// Origins and directions of eight rays side by side. What is beside each other in memory is
+    /// loaded at once, and turned in registers.
+    #[inline(always)]
+    pub fn columns<S: Simd>(simd: S, [a, b, c, d, e, f, g, h]: [&Self; LANES]) -> [Vectors<f32x8<S>>; 2] {
+        let (low, high) = (coordinates(simd, [a, b, c, d]), coordinates(simd, [e, f, g, h]));
+        let both = |column: usize| simd.combine_f32x4(low[column], high[column]);
+        [[both(0), both(1), both(2)], [both(3), both(4), both(5)]]
+    }
+}
+
+/// The six coordinates of four rays, each in its vector.
+#[inline(always)]
+fn coordinates<S: Simd>(simd: S, rays: [&Ray; 4]) -> [f32x4<S>; 6] {
+    let front = |i: usize| {
+        let Ray { origin: o, direction: d, .. } = rays[i];
+        f32x4::from_slice(simd, &[o.x, o.y, o.z, d.x])
+    };
+    let back = |i: usize| {
+        let Ray { origin: o, direction: d, .. } = rays[i];
+        f32x4::from_slice(simd, &[o.z, d.x, d.y, d.z])
+    };
+    let [ox, oy, oz, dx] = turn(simd, [front(0), front(1), front(2), front(3)]);
+    let [_, _, dy, dz] = turn(simd, [back(0), back(1), back(2), back(3)]);
+    [ox, oy, oz, dx, dy, dz]
 }

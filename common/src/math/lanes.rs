@@ -3,7 +3,7 @@
 //! Nothing is fused and nothing is added in another order than `glam` adds, or [`super::sum3`], so
 //! each lane has the bits that it would have alone.
 
-use crate::simd::{Select, Simd, SimdBase, SimdFloat, f32x8, f64x8};
+use crate::simd::{Select, Simd, SimdBase, SimdFloat, f32x4, f32x8, f64x8};
 use std::ops::{Add, Mul, Sub};
 
 /// Lanes.
@@ -65,6 +65,15 @@ pub fn store_wide<S: Simd>(v: Vectors<f64x8<S>>) -> Stored<f64> {
         v[axis].store_slice(&mut stored[axis]);
     }
     stored
+}
+
+/// Four vectors of four numbers, turned so that the first numbers make one vector, and so on.
+#[inline(always)]
+pub fn turn<S: Simd>(simd: S, [a, b, c, d]: [f32x4<S>; 4]) -> [f32x4<S>; 4] {
+    let (even, odd) = (simd.zip_low_f32x4(a, c), simd.zip_low_f32x4(b, d));
+    let (first, second) = (simd.zip_low_f32x4(even, odd), simd.zip_high_f32x4(even, odd));
+    let (even, odd) = (simd.zip_high_f32x4(a, c), simd.zip_high_f32x4(b, d));
+    [first, second, simd.zip_low_f32x4(even, odd), simd.zip_high_f32x4(even, odd)]
 }
 
 /// Sums.

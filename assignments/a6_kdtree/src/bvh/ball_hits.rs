@@ -17,7 +17,7 @@ pub fn places_of(bits: u32) -> impl Iterator<Item = u32> {
 }
 
 /// Where each of eight rays first meets the ball at `place` inside an interval, as
-/// [`Geometry::hit_solid`] finds it, and the ball's number; NaN for those that do not.
+/// [`Geometry::hit_solid`] finds it, and the ball's number; NaN for those that do not, or are no rays.
 #[inline(always)]
 pub fn all_met<S: Simd>(
     simd: S,
@@ -29,8 +29,13 @@ pub fn all_met<S: Simd>(
     let solid = &geometry.solids()[place];
     let SolidShape::Sphere(ball) = &solid.shape else { return ([f32::NAN; RAYS], solid.primitive) };
     let of = |x: f64| f64x8::splat(simd, x);
-    let origin = each(load(simd, &rays.origin), |x| widen(simd, x));
-    let direction = each(load(simd, &rays.direction), |x| widen(simd, x));
+    let (origin, direction) = (load(simd, &rays.origin), load(simd, &rays.direction));
+    let nothing = f32x8::splat(simd, 0.0);
+    // 0 of what is finite, else NaN; and without a direction there is no closest point.
+    let [x, y, z] = each([0, 1, 2], |axis: usize| origin[axis] * nothing + direction[axis] * nothing);
+    let finite = (x + y + z).simd_eq(nothing);
+    let origin = each(origin, |x| widen(simd, x));
+    let direction = each(direction, |x| widen(simd, x));
     let length_squared = sum3(multiply(direction, direction));
     let center = [of(ball.center.x), of(ball.center.y), of(ball.center.z)];
     let (radius, zero) = (of(ball.radius), of(0.0));
@@ -49,7 +54,8 @@ pub fn all_met<S: Simd>(
         let t = narrow(simd, inside.select(t, of(f64::NAN)));
         (t.simd_gt(min) & t.simd_lt(max)).select(t, instead)
     };
-    (*counts(closest - half_chord, counts(closest + half_chord, none)), solid.primitive)
+    let t = counts(closest - half_chord, counts(closest + half_chord, none));
+    (*finite.select(t, none), solid.primitive)
 }
 
 /// The better of `best` and the first hit among solids at these places.

@@ -168,7 +168,7 @@ impl Balls {
             }
             let (t, primitive) = all_met(simd, geometry, place, abreast, interval);
             c.intersections += u64::from(meeting.count_ones());
-            for lane in lanes_of(meeting).filter(|lane| !t[*lane].is_nan() && rays[*lane].is_usable()) {
+            for lane in lanes_of(meeting).filter(|lane| !t[*lane].is_nan()) {
                 let hit = Hit { t: t[lane], primitive, u: 0.0, v: 0.0 };
                 hits[lane] = if hit.precedes(hits[lane].as_ref()) { Some(hit) } else { hits[lane] };
             }
@@ -198,7 +198,7 @@ impl Balls {
             let (t, _) = all_met(simd, geometry, place, abreast, interval);
             c.intersections += u64::from(meeting.count_ones());
             for lane in lanes_of(meeting) {
-                hit[lane] |= !t[lane].is_nan() && rays[lane].is_usable();
+                hit[lane] |= !t[lane].is_nan();
             }
         }
     }

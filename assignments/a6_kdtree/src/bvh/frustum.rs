@@ -4,10 +4,10 @@
 //! Origins and inverse directions of the rays lie in intervals, so where they meet a side does
 //! too. A box that this interval passes by is passed by by every ray.
 
-use super::abreast::turn;
 use super::packet::{EVERY, Lanes, Packet};
 use super::wide::{WIDTH, WideNode};
 use common::math::Bounds;
+use common::math::lanes::turn;
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// Rays whose directions differ by more than this part of the direction are no bundle …

@@ -2,7 +2,7 @@
 
 pub use super::abreast::RAYS;
 
-use super::abreast::{columns, pad};
+use super::abreast::pad;
 use super::beam::Beam;
 use super::single::ROUNDING;
 use super::slabs::{ORDINARY, Slabs};
@@ -58,7 +58,7 @@ impl Packet {
                 &padded
             }
         };
-        let [origin, direction] = columns(simd, rays);
+        let [origin, direction] = Ray::columns(simd, rays.each_ref());
         let zero = f32x8::splat(simd, 0.0);
         let (mut far, mut step, mut nothing) = (zero, zero, zero);
         let mut packet = Self { origin: store(origin), direction: store(direction), ..Self::EMPTY };

@@ -54,15 +54,20 @@ impl Batch {
     /// Adds a sample; false, and nothing is done, if it is no sample for a batch.
     #[inline]
     pub fn add(&mut self, sample: [f32; 3]) -> bool {
-        let fits = |x: f32| x == 0.0 || (x.abs() >= SMALLEST && x.abs() < LARGEST);
+        // Said of the bits, which are in the order of magnitudes, and without a branch.
+        let fits = |x: f32| {
+            let magnitude = x.abs().to_bits();
+            let span = const { LARGEST.to_bits() - SMALLEST.to_bits() };
+            (magnitude == 0) | (magnitude.wrapping_sub(const { SMALLEST.to_bits() }) < span)
+        };
         if !(fits(sample[0]) & fits(sample[1]) & fits(sample[2])) {
             return false;
         }
-        for (x, (high_sum, low_sum)) in sample.into_iter().zip(self.high.iter_mut().zip(&mut self.low)) {
-            let x = f64::from(x);
+        for channel in 0..3 {
+            let x = f64::from(sample[channel]);
             let high = (x + SHIFT) - SHIFT;
-            *high_sum += high;
-            *low_sum += x - high;
+            self.high[channel] += high;
+            self.low[channel] += x - high;
         }
         true
     }

@@ -55,7 +55,7 @@ impl PathTracer<'_> {
                 None => self.escape(ray, path, generation, &mut found[path.slot as usize]),
                 Some(hit) => {
                     counters.surfaces += 1;
-                    if self.is_abreast && self.put_aside(scratch, i, hit.primitive, hit.t) {
+                    if self.is_abreast && self.put_aside(scratch, i, &hit) {
                         continue;
                     }
                     let ray = scratch.rays[i];

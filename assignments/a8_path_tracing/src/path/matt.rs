@@ -29,8 +29,8 @@ impl PathTracer<'_> {
     ) {
         let matts = std::mem::take(&mut scratch.matts);
         let asks = self.rules.integrator != Integrator::Naive && !self.lights.is_empty();
-        for (block, count) in matts.blocks() {
-            let places = Places::new(simd, block, count, &scratch.paths);
+        for block in &matts.blocks {
+            let places = Places::new(simd, block, &scratch.paths);
             if asks {
                 self.ask_for_eight(simd, scratch, &places, generation, counters);
             }
@@ -52,7 +52,7 @@ impl PathTracer<'_> {
         let of = |x: f32| f32x8::splat(simd, x);
         let uv = self.numbers.pairs(&places.streams, &scratch.rows, Use::Light(generation));
         let normal = store(places.geometric);
-        let to = Receivers { point: &places.block.point, normal: &normal, count: places.count };
+        let to = Receivers { point: &places.block.point, normal: &normal, count: places.block.count };
         let offers = self.lights.offers(simd, &to, &uv);
         let direction = load_wide(simd, &offers.direction);
         let into = each(direction, |d| narrow(simd, d));
@@ -72,7 +72,7 @@ impl PathTracer<'_> {
         counters.skipped_shadow_behind += u64::from((made & behind).count_ones());
         counters.skipped_shadow_dark += u64::from((places.present() & !sent & !(made & behind)).count_ones());
         let (start, light, into) = (places.start(simd, direction), store(light), store(into));
-        for lane in (0..places.count).filter(|lane| sent >> lane & 1 == 1) {
+        for lane in (0..places.block.count).filter(|lane| sent >> lane & 1 == 1) {
             let vector = |v: &Stored<f32>| Vec3::new(v[0][lane], v[1][lane], v[2][lane]);
             let (start, light) = (vector(&start), vector(&light));
             let slot = scratch.paths[places.block.path[lane] as usize].slot;
@@ -134,7 +134,7 @@ impl PathTracer<'_> {
         let (into, geometric, throughput) = (store(into), store(places.geometric), store(throughput));
         let (pdf, brightest) = (*(z * of(FRAC_1_PI)), *brightest);
         let roulette = generation + 1 >= self.rules.roulette_depth;
-        for lane in (0..places.count).filter(|lane| goes_on >> lane & 1 == 1) {
+        for lane in (0..places.block.count).filter(|lane| goes_on >> lane & 1 == 1) {
             let vector = |v: &Stored<f32>| Vec3::new(v[0][lane], v[1][lane], v[2][lane]);
             let mut path = scratch.paths[places.block.path[lane] as usize];
             path.throughput = vector(&throughput);

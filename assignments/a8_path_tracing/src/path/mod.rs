@@ -10,6 +10,7 @@ mod generation;
 mod leaving;
 mod matt;
 mod places;
+mod points;
 mod round;
 mod smooth;
 mod surface;
@@ -24,6 +25,7 @@ use caustic::Chain;
 use common::accel::Accel;
 use common::counters::Counters;
 use common::geometry::Hit;
+use common::math::lanes::LANES;
 use common::math::{DVec3, Vec3};
 use common::ray::Ray;
 use leaving::Leaving;
@@ -146,6 +148,15 @@ pub struct Scratch {
     near: Shadows,
     /// To lights infinitely far away.
     far: Shadows,
+}
+
+impl Scratch {
+    /// The rays of these numbers.
+    #[inline(always)]
+    fn rays_of(&self, [a, b, c, d, e, f, g, h]: &[u32; LANES]) -> [&Ray; LANES] {
+        let ray = |number: u32| &self.rays[number as usize];
+        [ray(*a), ray(*b), ray(*c), ray(*d), ray(*e), ray(*f), ray(*g), ray(*h)]
+    }
 }
 
 /// With more balls lights are not asked over them.

@@ -51,41 +51,46 @@ impl Met {
     }
 }
 
-/// Eight of them.
+/// Up to eight of them.
 #[derive(Clone, Copy)]
 pub(super) struct Block {
+    /// How many there are.
+    pub count: usize,
     pub path: [u32; LANES],
     pub primitive: [u32; LANES],
     pub point: Stored<f64>,
-    own: Stored<f64>,
-    away: [f64; LANES],
+    pub own: Stored<f64>,
+    pub away: [f64; LANES],
     pub side: [f32; LANES],
-    normal: Stored<f32>,
-    color: Stored<f32>,
+    pub normal: Stored<f32>,
+    pub color: Stored<f32>,
     pub index: [f32; LANES],
 }
 
 /// Those of a generation that are left in the same way.
 #[derive(Default)]
 pub(super) struct Queue {
-    blocks: Vec<Block>,
-    count: usize,
+    pub blocks: Vec<Block>,
+    /// The number of the block that takes those that come one by one, if there is one.
+    open: Option<usize>,
 }
 
 impl Queue {
     pub fn clear(&mut self) {
         self.blocks.clear();
-        self.count = 0;
+        self.open = None;
     }
 
     #[inline(always)]
     pub fn push(&mut self, place: &Met) {
-        let lane = self.count % LANES;
-        if lane == 0 {
+        let open = self.open.filter(|number| self.blocks[*number].count < LANES).unwrap_or_else(|| {
             self.blocks.push(Block::EMPTY);
-        }
-        self.count += 1;
-        let Some(block) = self.blocks.last_mut() else { return };
+            self.blocks.len() - 1
+        });
+        self.open = Some(open);
+        let block = &mut self.blocks[open];
+        let lane = block.count % LANES;
+        block.count += 1;
         block.path[lane] = place.path;
         block.primitive[lane] = place.primitive;
         block.away[lane] = place.away;
@@ -98,16 +103,11 @@ impl Queue {
             block.color[axis][lane] = place.color[axis];
         }
     }
-
-    /// Eight after eight, with how many there are of them.
-    pub fn blocks(&self) -> impl Iterator<Item = (&Block, usize)> {
-        let left = |number: usize| LANES.min(self.count - number * LANES);
-        self.blocks.iter().enumerate().map(move |(number, block)| (block, left(number)))
-    }
 }
 
 impl Block {
-    const EMPTY: Self = Self {
+    pub const EMPTY: Self = Self {
+        count: 0,
         path: [0; LANES],
         primitive: [0; LANES],
         point: [[0.0; LANES]; 3],
@@ -123,8 +123,6 @@ impl Block {
 /// The same as the arithmetic sees them.
 pub(super) struct Places<'b, S: Simd> {
     pub block: &'b Block,
-    /// How many there are.
-    pub count: usize,
     pub streams: [Stream; LANES],
     pub throughput: Vectors<f32x8<S>>,
     pub spot: Abreast<S>,
@@ -136,7 +134,7 @@ pub(super) struct Places<'b, S: Simd> {
 
 impl<'b, S: Simd> Places<'b, S> {
     #[inline(always)]
-    pub fn new(simd: S, block: &'b Block, count: usize, paths: &[Path]) -> Self {
+    pub fn new(simd: S, block: &'b Block, paths: &[Path]) -> Self {
         let own = load_wide(simd, &block.own);
         let side = f32x8::from_slice(simd, &block.side);
         let mut throughput = [[0.0; LANES]; 3];
@@ -150,7 +148,6 @@ impl<'b, S: Simd> Places<'b, S> {
         }
         Self {
             block,
-            count,
             streams,
             throughput: load(simd, &throughput),
             spot: Abreast {
@@ -167,7 +164,7 @@ impl<'b, S: Simd> Places<'b, S> {
     /// A bit for each that there is.
     #[inline(always)]
     pub fn present(&self) -> u32 {
-        (1 << self.count) - 1
+        (1 << self.block.count) - 1
     }
 
     /// Where rays in these directions start.

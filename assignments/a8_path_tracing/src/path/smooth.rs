@@ -9,7 +9,7 @@ use crate::numbers::Use;
 use common::counters::Counters;
 use common::math::Vec3;
 use common::math::lanes::{
-    LANES, Stored, Vectors, add, dot, each, load, multiply, narrow, normalize, scale, store, subtract, widen,
+    Stored, Vectors, add, dot, each, multiply, narrow, normalize, scale, store, subtract, widen,
 };
 use common::ray::Ray;
 use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8, f64x8};
@@ -25,11 +25,11 @@ impl PathTracer<'_> {
         counters: &mut Counters,
     ) {
         let queue = std::mem::take(&mut scratch.smooth);
-        for (block, count) in queue.blocks() {
-            let places = Places::new(simd, block, count, &scratch.paths);
+        for block in &queue.blocks {
+            let places = Places::new(simd, block, &scratch.paths);
             self.mirror_and_refract(simd, scratch, &places, generation);
             if self.rules.integrator != Integrator::Naive && !self.lights.is_empty() {
-                counters.skipped_light_specular += count as u64;
+                counters.skipped_light_specular += block.count as u64;
             }
         }
         scratch.smooth = queue;
@@ -43,14 +43,8 @@ impl PathTracer<'_> {
         places: &Places<S>,
         generation: u32,
     ) {
-        let mut incoming = [[0.0; LANES]; 3];
-        for (lane, number) in places.block.path.iter().enumerate().take(places.count) {
-            let direction = scratch.rays[*number as usize].direction;
-            for (axis, lanes) in incoming.iter_mut().enumerate() {
-                lanes[lane] = direction[axis];
-            }
-        }
-        let incoming = each(load(simd, &incoming), |d| widen(simd, d));
+        let [_, incoming] = Ray::columns(simd, scratch.rays_of(&places.block.path));
+        let incoming = each(incoming, |d| widen(simd, d));
         let normal = each(places.normal, |n| widen(simd, n));
         let side = widen(simd, f32x8::from_slice(simd, &places.block.side));
         let index = widen(simd, f32x8::from_slice(simd, &places.block.index));
@@ -69,7 +63,7 @@ impl PathTracer<'_> {
         let start = places.start(simd, each(direction, |d| widen(simd, d)));
         let (direction, geometric) = (store(direction), store(places.geometric));
         let throughput = store(multiply(places.throughput, places.color));
-        for lane in 0..places.count {
+        for lane in 0..places.block.count {
             let vector = |v: &Stored<f32>| Vec3::new(v[0][lane], v[1][lane], v[2][lane]);
             let throughput = vector(&throughput);
             if throughput.max_element() <= 0.0 {
