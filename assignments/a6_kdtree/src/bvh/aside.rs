@@ -5,15 +5,17 @@
 //! while O₋ + t·D₋ ≤ B₊ and O₊ + t·D₊ ≥ B₋, so from one t to another; if no t is left after all
 //! axes, no ray of them meets the box. Signs of directions do not matter.
 
-use super::packet::{Lanes, Packet};
+use super::abreast::pad;
+use super::packet::{Lanes, limits};
+use super::slabs::{ORDINARY, Slabs};
 use super::wide::{Bvh, WIDTH, WideNode};
 use common::math::{Bounds, Interval};
 use common::ray::Ray;
+use common::shape::filter::Errors;
 use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8};
-use std::ops::Range;
 
 /// Rays that are asked about together. Fewer are in one place more often, and cost more questions.
-const CROWD: usize = 64;
+pub const CROWD: usize = 64;
 
 /// Fewer are not worth the question.
 const FEWEST: usize = 16;
@@ -79,37 +81,13 @@ impl Stretch {
 }
 
 impl Bvh<'_> {
-    /// Calls `follow` for one run of rays after the other, of all but those that pass the tree by.
-    #[inline(always)]
-    pub(super) fn for_each_run<S: Simd>(
-        &self,
-        simd: S,
-        rays: &[Ray],
-        interval: Interval,
-        mut follow: impl FnMut(Range<usize>),
-    ) {
-        let mut first = 0;
-        while first < rays.len() {
-            let (mut end, mut passed) = (first, 0);
-            while end < rays.len() && passed == 0 {
-                let crowd = &rays[end..rays.len().min(end + CROWD)];
-                if crowd.len() >= FEWEST && self.is_passed_by(simd, crowd, interval) {
-                    passed = crowd.len();
-                } else {
-                    end += crowd.len();
-                }
-            }
-            if first < end {
-                follow(first..end);
-            }
-            first = end + passed;
-        }
-    }
-
     /// Whether none of the rays can meet anything in the tree, inside the interval. Says "no" when
     /// in doubt.
     #[inline(always)]
-    fn is_passed_by<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval) -> bool {
+    pub(super) fn is_passed_by<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval) -> bool {
+        if rays.len() < FEWEST {
+            return false;
+        }
         let (Some(root), true) = (self.nodes.first(), interval.min >= 0.0) else { return false };
         passes(root, &Around::of(simd, rays), interval.max)
     }
@@ -139,24 +117,34 @@ fn passes(node: &WideNode, rays: &Around, max: f32) -> bool {
     true
 }
 
-impl Packet {
-    /// A bit for every ray that may be inside of a box between `min` and its own entry of `max`,
-    /// whatever the directions' signs. The box may be as large as that of [`Packet::of`].
-    #[inline(always)]
-    pub fn rays_inside<S: Simd>(&self, simd: S, bounds: &Bounds, min: f32, max: &Lanes) -> u32 {
-        let (low, high) = (bounds.min, bounds.max);
-        let mut near = f32x8::splat(simd, min);
-        let mut far = f32x8::from_slice(simd, max);
-        for axis in 0..3 {
-            let inverse = f32x8::from_slice(simd, &self.inverse[axis]);
-            let near_offset = f32x8::from_slice(simd, &self.near_offset[axis]);
-            let far_offset = f32x8::from_slice(simd, &self.far_offset[axis]);
-            let backward = inverse.simd_lt(f32x8::splat(simd, 0.0));
-            let low = f32x8::splat(simd, low[axis].next_down());
-            let high = f32x8::splat(simd, high[axis].next_up());
-            near = near.max(backward.select(high, low).mul_sub(inverse, near_offset));
-            far = far.min(backward.select(low, high).mul_sub(inverse, far_offset));
+/// A bit for every one of one to eight rays that may be inside of a box between `min` and its own
+/// entry of `last`, widened as for [`limit`](super::single::limit).
+#[inline(always)]
+pub fn entering<S: Simd>(simd: S, rays: &[Ray], bounds: &Bounds, min: f32, last: &Lanes) -> u32 {
+    let padded;
+    let rays = match rays.first_chunk() {
+        Some(all) => all,
+        None => {
+            padded = pad(rays, rays[0]);
+            &padded
         }
-        near.simd_le(far).to_bitmask() as u32
+    };
+    let [origin, direction] = Ray::columns(simd, rays.each_ref());
+    let of = |x: f32| f32x8::splat(simd, x);
+    let (mut near, mut far) = (of(min), of(f32::INFINITY));
+    let (mut reach, mut step) = (of(0.0), of(0.0));
+    for axis in 0..3 {
+        let (low, high) = (of(bounds.min[axis]), of(bounds.max[axis]));
+        let slab = Slabs::new(simd, origin[axis], direction[axis], low, high);
+        let backward = slab.inverse.simd_lt(of(0.0));
+        near = near.max(backward.select(high, low).mul_sub(slab.inverse, slab.near_offset));
+        far = far.min(backward.select(low, high).mul_sub(slab.inverse, slab.far_offset));
+        reach = reach.max(slab.far);
+        step = step.max(direction[axis].abs());
     }
+    let [margin, ..] = Errors::abreast(simd, reach, step);
+    let far = far.min(limits(simd, f32x8::from_slice(simd, last), margin));
+    // Of others nothing is known. Written so that NaN is one of them.
+    let ordinary = reach.simd_lt(step * of(ORDINARY));
+    (near.simd_le(far) | !ordinary).to_bitmask() as u32
 }

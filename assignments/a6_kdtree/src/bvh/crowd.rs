@@ -205,15 +205,6 @@ impl Bvh<'_> {
         for lane in 0..rays.len() {
             queue.asked &= !(u32::from(purpose.is_settled(queue.first + lane)) << lane);
         }
-        // Where the tree is all there is, nearly all rays enter it.
-        if !self.balls.is_empty() || !self.geometry.sheets().is_empty() {
-            let mut last = [f32::NEG_INFINITY; RAYS];
-            for (lane, last) in last.iter_mut().enumerate().take(rays.len()) {
-                *last = purpose.last(queue.first + lane);
-            }
-            let limits = queue.packet.limits(simd, &last);
-            queue.asked &= queue.packet.rays_inside(simd, &self.bounds, interval.min, &limits);
-        }
         if queue.asked == 0 {
             return;
         }

@@ -57,7 +57,7 @@ pub struct Horizons {
 }
 
 /// What is above a ray's start.
-enum Sky<'a> {
+pub enum Sky<'a> {
     /// Nothing that it could meet.
     Open,
     /// Perhaps one of these.
@@ -118,7 +118,7 @@ impl Horizons {
 
     /// What is above the start of a ray that leaves one of the triangles forward.
     #[inline(always)]
-    fn sky(&self, ray: &Ray) -> Sky<'_> {
+    pub fn sky(&self, ray: &Ray) -> Sky<'_> {
         let Some(sides) = self.sides.get(ray.home.wrapping_sub(self.first) as usize) else {
             return Sky::Crowded;
         };
@@ -142,76 +142,7 @@ impl Horizons {
     }
 }
 
-/// Rays of which the tree must be asked, in their order, and which of all rays they are.
-struct Asked {
-    rays: Vec<Ray>,
-    numbers: Vec<u32>,
-}
-
 impl Bvh<'_> {
-    /// Calls `follow` for the rays of which the tree must be asked, with what is known of them:
-    /// rays that leave a triangle for good are none of them, and `few` is told of those that only
-    /// a few triangles could stop.
-    #[inline(always)]
-    pub(super) fn ask_for<T: Copy>(
-        &self,
-        rays: &[Ray],
-        interval: Interval,
-        known: &mut [T],
-        mut few: impl FnMut(&mut T, &Ray, &TriangleBlock, &mut Counters),
-        follow: impl FnOnce(&[Ray], &mut [T], &mut Counters),
-        c: &mut Counters,
-    ) {
-        let asked = self.settle_leaving(
-            rays,
-            interval,
-            #[inline(always)]
-            |i, block| few(&mut known[i], &rays[i], block, c),
-        );
-        let mut kept = Vec::new();
-        let (rays, these) = match &asked {
-            None => (rays, &mut *known),
-            Some(asked) => {
-                kept.extend(asked.numbers.iter().map(|&i| known[i as usize]));
-                (&*asked.rays, &mut *kept)
-            }
-        };
-        // Called in one place only: what is done there is much, and inlined.
-        follow(rays, these, c);
-        for (&i, value) in asked.iter().flat_map(|asked| &asked.numbers).zip(kept) {
-            known[i as usize] = value;
-        }
-    }
-
-    /// Settles the rays that leave a triangle for good: `few` is told of those that only a few
-    /// triangles could stop. Returns the others, or `None` if those are all.
-    #[inline(always)]
-    fn settle_leaving(
-        &self,
-        rays: &[Ray],
-        interval: Interval,
-        mut few: impl FnMut(usize, &TriangleBlock),
-    ) -> Option<Asked> {
-        let leaves = |ray: &Ray| ray.home != Ray::ANYWHERE;
-        if interval.min < 0.0 || !rays.iter().any(leaves) {
-            return None;
-        }
-        let horizons = self.horizons.get_or_init(|| Horizons::of(self.geometry)).as_ref()?;
-        let mut asked =
-            Asked { rays: Vec::with_capacity(rays.len()), numbers: Vec::with_capacity(rays.len()) };
-        for (number, ray) in rays.iter().enumerate() {
-            match horizons.sky(ray) {
-                Sky::Open => {}
-                Sky::Few(block) => few(number, block),
-                Sky::Crowded => {
-                    asked.rays.push(*ray);
-                    asked.numbers.push(number as u32);
-                }
-            }
-        }
-        (asked.rays.len() < rays.len()).then_some(asked)
-    }
-
     /// The better of `best` and the first hit among the triangles of a block.
     #[inline(always)]
     pub(super) fn nearest_of_few<S: Simd>(

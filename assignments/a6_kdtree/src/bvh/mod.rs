@@ -7,6 +7,7 @@
 
 mod abreast;
 mod aside;
+mod asking;
 mod ball_hits;
 mod balls;
 pub(crate) mod beam;

@@ -221,12 +221,8 @@ impl Packet {
     /// For each ray the [`limit`](super::single::limit) of its t.
     #[inline(always)]
     pub fn limits<S: Simd>(&self, simd: S, t: &Lanes) -> Lanes {
-        let t = f32x8::from_slice(simd, t);
-        let margin = f32x8::from_slice(simd, &self.reach) * f32x8::splat(simd, MARGIN);
-        let later = t + t.abs() * f32x8::splat(simd, ROUNDING) + margin;
-        let mut limits = [0.0; RAYS];
-        t.simd_eq(f32x8::splat(simd, f32::INFINITY)).select(t, later).store_slice(&mut limits);
-        limits
+        let reach = f32x8::from_slice(simd, &self.reach);
+        *limits(simd, f32x8::from_slice(simd, t), reach)
     }
 
     /// A bit for every ray that may meet the box of a node's child between `min` and its own
@@ -253,6 +249,14 @@ impl Packet {
         }
         near.simd_le(far).to_bitmask() as u32
     }
+}
+
+/// For each of eight t the [`limit`](super::single::limit) by the rays' reach.
+#[inline(always)]
+pub fn limits<S: Simd>(simd: S, t: f32x8<S>, reach: f32x8<S>) -> f32x8<S> {
+    let margin = reach * f32x8::splat(simd, MARGIN);
+    let later = t + t.abs() * f32x8::splat(simd, ROUNDING) + margin;
+    t.simd_eq(f32x8::splat(simd, f32::INFINITY)).select(t, later)
 }
 
 /// The one of some children, a bit for each, that is entered first by the order of centres

@@ -1,6 +1,7 @@
 //! Questions to the tree: one ray, or many.
 
 use super::abreast::{Abreast, RAYS};
+use super::asking::Known;
 use super::frustum::Frustum;
 use super::packet::Packet;
 use super::purpose::{Blocked, Nearest};
@@ -113,6 +114,7 @@ impl Bvh<'_> {
     ) {
         let mut stack = Stack::new();
         self.ask_for(
+            simd,
             rays,
             interval,
             best,
@@ -120,16 +122,8 @@ impl Bvh<'_> {
             |best, ray, block, c| *best = self.nearest_of_few(simd, block, ray, interval, *best, c),
             #[inline(always)]
             |rays, best, c| {
-                self.for_each_run(
-                    simd,
-                    rays,
-                    interval,
-                    #[inline(always)]
-                    |run| {
-                        let (best, stack) = (&mut best[run.clone()], &mut stack);
-                        self.follow(simd, &rays[run], interval, &mut Nearest { interval, best, stack }, c);
-                    },
-                );
+                let stack = &mut stack;
+                self.follow(simd, rays, interval, &mut Nearest { interval, best, stack }, c);
             },
             c,
         );
@@ -139,6 +133,7 @@ impl Bvh<'_> {
     fn any_in<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
         let mut stack = Stack::new();
         self.ask_for(
+            simd,
             rays,
             interval,
             hit,
@@ -146,19 +141,25 @@ impl Bvh<'_> {
             |hit, ray, block, c| *hit |= self.any_of_few(simd, block, ray, interval, c),
             #[inline(always)]
             |rays, hit, c| {
-                self.for_each_run(
-                    simd,
-                    rays,
-                    interval,
-                    #[inline(always)]
-                    |run| {
-                        let (hit, stack) = (&mut hit[run.clone()], &mut stack);
-                        self.follow(simd, &rays[run], interval, &mut Blocked { interval, hit, stack }, c);
-                    },
-                );
+                let stack = &mut stack;
+                self.follow(simd, rays, interval, &mut Blocked { interval, hit, stack }, c);
             },
             c,
         );
+    }
+}
+
+impl Known for Option<Hit> {
+    #[inline(always)]
+    fn last(&self, max: f32) -> f32 {
+        self.map_or(max, |hit| hit.t)
+    }
+}
+
+impl Known for bool {
+    #[inline(always)]
+    fn last(&self, max: f32) -> f32 {
+        if *self { f32::NEG_INFINITY } else { max }
     }
 }
 
