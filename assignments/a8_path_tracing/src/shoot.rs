@@ -87,6 +87,7 @@ impl PathArgs {
             roulette_depth: self.follow.rr_depth,
             skip_behind: skips(Skip::Behind),
             skip_specular: skips(Skip::Specular),
+            skip_surface: skips(Skip::Surface),
         }
     }
 

@@ -252,7 +252,7 @@ impl Geometry {
     fn run_of(&self, primitive: u32) -> usize {
         match &self.first_of_few {
             // Counted without a branch: which run it is nobody can guess.
-            Some(first) => first.iter().map(|first| usize::from(*first <= primitive)).sum::<usize>() - 1,
+            Some(first) => first.iter().map(|first| u32::from(*first <= primitive)).sum::<u32>() as usize - 1,
             None => self.runs.partition_point(|r| r.first <= primitive) - 1,
         }
     }

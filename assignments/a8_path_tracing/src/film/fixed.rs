@@ -1,5 +1,7 @@
 //! Fixed-point numbers: their sums are exact, so the order of adding cannot matter.
 
+use common::math::Vec3A;
+
 /// Bits behind the point. What is cut off a sample, less than 2⁻⁶⁴, is the same wherever the
 /// sample is added.
 pub const FRACTION_BITS: u32 = 64;
@@ -32,8 +34,8 @@ pub fn from_finite(sample: f32) -> i128 {
 }
 
 /// Magnitudes that [`Batch`] takes, beside 0: their bits lie above the last of [`FRACTION_BITS`].
-const SMALLEST: f32 = 1.0 / (1u64 << 40) as f32;
-const LARGEST: f32 = 512.0;
+const SMALLEST: Vec3A = Vec3A::splat(1.0 / (1u64 << 40) as f32);
+const LARGEST: Vec3A = Vec3A::splat(512.0);
 
 /// Most samples of a batch.
 pub const MOST: usize = 1024;
@@ -54,13 +56,9 @@ impl Batch {
     /// Adds a sample; false, and nothing is done, if it is no sample for a batch.
     #[inline]
     pub fn add(&mut self, sample: [f32; 3]) -> bool {
-        // Said of the bits, which are in the order of magnitudes, and without a branch.
-        let fits = |x: f32| {
-            let magnitude = x.abs().to_bits();
-            let span = const { LARGEST.to_bits() - SMALLEST.to_bits() };
-            (magnitude == 0) | (magnitude.wrapping_sub(const { SMALLEST.to_bits() }) < span)
-        };
-        if !(fits(sample[0]) & fits(sample[1]) & fits(sample[2])) {
+        let size = Vec3A::from(sample).abs();
+        let fits = size.cmplt(LARGEST) & (size.cmpge(SMALLEST) | size.cmpeq(Vec3A::ZERO));
+        if !fits.all() {
             return false;
         }
         for channel in 0..3 {
@@ -125,7 +123,7 @@ mod tests {
                     word = word.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
                     // From far too small to a little too large, and the largest in some rounds.
                     let x = f32::from_bits((word >> 1) % (12 << 23) + ((125 - round % 3 * 40) << 23));
-                    if round % 5 == 0 { LARGEST.next_down() } else { x * [1.0, -1.0][word as usize >> 31] }
+                    if round % 5 == 0 { LARGEST.x.next_down() } else { x * [1.0, -1.0][word as usize >> 31] }
                 });
                 let exact = sample.map(from_finite);
                 if batch.add(sample) {
@@ -136,7 +134,7 @@ mod tests {
             assert_eq!(batch.sums(), expected);
             assert!(taken > 0 || round % 3 == 2, "{round}");
         }
-        for x in [f32::NAN, f32::INFINITY, LARGEST, SMALLEST.next_down()] {
+        for x in [f32::NAN, f32::INFINITY, LARGEST.x, SMALLEST.x.next_down()] {
             assert!(!Batch::default().add([0.0, x, 0.0]), "{x}");
         }
     }

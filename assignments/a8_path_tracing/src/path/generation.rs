@@ -49,10 +49,16 @@ impl PathTracer<'_> {
     /// what is written here, so all give the same bits.
     #[inline(always)]
     fn look(&self, scratch: &mut Scratch, generation: u32, counters: &mut Counters, found: &mut [Found]) {
+        let only_light = generation > 0 && !self.sends_on(generation) && self.rules.skip_surface;
         for i in 0..scratch.rays.len() {
             let (ray, path) = (&scratch.rays[i], &scratch.paths[i]);
             match scratch.hits[i] {
                 None => self.escape(ray, path, generation, &mut found[path.slot as usize]),
+                Some(hit)
+                    if only_light && self.dark[self.studio.geometry.material(hit.primitive) as usize] =>
+                {
+                    counters.skipped_surface += 1;
+                }
                 Some(hit) => {
                     counters.surfaces += 1;
                     if self.is_abreast && self.put_aside(scratch, i, &hit) {

@@ -60,6 +60,8 @@ pub struct Rules {
     pub skip_behind: bool,
     /// No light is asked for surfaces that send no light between two given directions.
     pub skip_specular: bool,
+    /// What the last ray of a path meets is not looked at, unless it may shine.
+    pub skip_surface: bool,
 }
 
 impl Default for Rules {
@@ -70,6 +72,7 @@ impl Default for Rules {
             roulette_depth: 1,
             skip_behind: true,
             skip_specular: true,
+            skip_surface: true,
         }
     }
 }
@@ -175,6 +178,8 @@ pub struct PathTracer<'a> {
     plain: Vec<Option<Bsdf>>,
     /// How paths leave surfaces of each material.
     leaving: Vec<Leaving>,
+    /// Whether a material gives off no light, wherever it is.
+    dark: Vec<bool>,
     /// What lights are asked over.
     balls: Vec<Ball>,
     /// Whether surfaces are left eight at a time: where nothing is asked that only a surface by
@@ -195,13 +200,28 @@ impl<'a> PathTracer<'a> {
         let materials = 0..world.as_scene().materials.len() as u32;
         let plain: Vec<Option<Bsdf>> = materials.map(|index| world.plain(index).map(Bsdf::new)).collect();
         let leaving = (0..plain.len() as u32).map(|index| Leaving::of(world.plain(index))).collect();
+        let is_dark = |index: u32| world.plain(index).is_some_and(|m| m.emissive == Vec3::ZERO);
+        let dark = (0..plain.len() as u32).map(is_dark).collect();
         let lobes = |index: u32| Some((plain[index as usize]?, world.plain(index)?.absorption));
         let mut balls = if lights.any_flat() { Ball::all(&studio.geometry, lobes) } else { Vec::new() };
         // A look at each would cost too much.
         balls.truncate(if balls.len() > MOST_BALLS { 0 } else { MOST_BALLS });
         let aperture = studio.camera.lens.map(|lens| Aperture::new(lens.blades));
         let is_abreast = balls.is_empty() && rules.skip_behind && rules.skip_specular;
-        Self { studio, world, accel, lights, numbers, aperture, rules, plain, leaving, balls, is_abreast }
+        Self {
+            studio,
+            world,
+            accel,
+            lights,
+            numbers,
+            aperture,
+            rules,
+            plain,
+            leaving,
+            dark,
+            balls,
+            is_abreast,
+        }
     }
 
     /// Traces some samples of some pixels. What is found for a sample depends on pixel, sample and

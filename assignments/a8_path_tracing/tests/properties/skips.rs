@@ -42,6 +42,26 @@ fn lights_behind_a_surface_get_no_shadow_ray() {
     assert_eq!((lit.rays, lit.shadow_rays, lit.skipped_shadow_behind), (2 * PATHS, PATHS, 0));
 }
 
+/// Between two floors, all paths meet three surfaces; the last ray only looks for light.
+#[test]
+fn what_the_last_ray_meets_is_not_looked_at_unless_it_shines() {
+    let floors = format!("{FLOOR}\nPlane {{ normal 0 1 0 offset 5 }}");
+    let sums = |material: &str, flags: &str| {
+        let text = scene(DOWN, "0.5 0.5 0.5", &[LIGHT_ABOVE], &[material], &floors);
+        Stage::new(&text, &[], &format!("-size 4 4 -spp 8 -bounces 1 -rr_depth 9 {flags}")).sums(1, &[8])
+    };
+    let matt = "diffuseColor 0.5 0.5 0.5";
+    let (picture, skipping) = sums(matt, "");
+    let (same, looking) = sums(matt, "-noskip surface");
+    assert!(same == picture, "the skip changes the picture");
+    assert_eq!((skipping.surfaces, skipping.skipped_surface), (2 * PATHS, PATHS));
+    assert_eq!((looking.surfaces, looking.skipped_surface), (3 * PATHS, 0));
+    let shining = "diffuseColor 0.5 0.5 0.5 emissiveColor 1 1 1";
+    let ((bright, skipping), (same, _)) = (sums(shining, ""), sums(shining, "-noskip surface"));
+    assert!(bright == same && bright != picture, "light of the last surface is lost");
+    assert_eq!((skipping.surfaces, skipping.skipped_surface), (3 * PATHS, 0));
+}
+
 #[test]
 fn black_things_end_paths_and_direct_light_needs_no_way_on() {
     let black = stage("diffuseColor 0 0 0", LIGHT_ABOVE, "").sums(1, &[8]).1;
