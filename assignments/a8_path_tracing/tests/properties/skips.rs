@@ -47,7 +47,8 @@ fn lights_behind_a_surface_get_no_shadow_ray() {
 fn what_the_last_ray_meets_is_not_looked_at_unless_it_shines() {
     let floors = format!("{FLOOR}\nPlane {{ normal 0 1 0 offset 5 }}");
     let sums = |material: &str, flags: &str| {
-        let text = scene(DOWN, "0.5 0.5 0.5", &[LIGHT_ABOVE], &[material], &floors);
+        let camera = "PerspectiveCamera { center 0 1 0  direction 0 -1 0  up 0 0 -1  angle 20 }";
+        let text = scene(camera, "0.5 0.5 0.5", &[LIGHT_ABOVE], &[material], &floors);
         Stage::new(&text, &[], &format!("-size 4 4 -spp 8 -bounces 1 -rr_depth 9 {flags}")).sums(1, &[8])
     };
     let matt = "diffuseColor 0.5 0.5 0.5";
