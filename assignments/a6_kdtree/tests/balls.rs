@@ -37,9 +37,14 @@ fn balls(count: usize, far: f64, scale: f64) -> Geometry {
 fn a6t2_balls_beside_the_tree_are_found_as_by_the_list() {
     let mut hits = 0;
     for count in [1, 7, 8, 9, 16, 17] {
-        for (far, scale) in
-            [(0.0, 1.0), (1e4, 1.0), (-3e6, 10.0), (0.0, 2f64.powi(-60)), (0.0, 2f64.powi(60))]
-        {
+        for (far, scale) in [
+            (0.0, 1.0),
+            (1e4, 1.0),
+            (-3e6, 10.0),
+            (0.0, 2f64.powi(-60)),
+            (0.0, 2f64.powi(60)),
+            (0.0, 2f64.powi(63)),
+        ] {
             let scene = balls(count, far, scale);
             let tree = Bvh::new(&scene);
             hits += agree(&tree, 500) + agree_together(&tree, 100);

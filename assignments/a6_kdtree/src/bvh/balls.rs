@@ -9,8 +9,8 @@ use super::ball_hits::{all_met, any_of, nearest_of, places_of};
 use super::bundle::lanes_of;
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit, SolidShape};
-use common::math::Interval;
 use common::math::lanes::{each, load, subtract};
+use common::math::{Interval, Vec3};
 use common::ray::Ray;
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
@@ -18,9 +18,13 @@ use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 pub const MOST: usize = 16;
 
 /// By how much a ball is made larger, as a part of all coordinates that the test works with. With
-/// u = 2⁻²⁴ the centre is off by u, the way to it by another u, each component of the cross product
-/// by 4u of both its factors: together less than 2⁻²⁰.
+/// u = 2⁻²⁴ centre and radius are off by u, and so is the way from the centre: together less than 2⁻²¹.
 const ROOM: f32 = 1.0 / (1 << 20) as f32;
+
+/// What the products may lose, as a part of |from|²·|d|²: each dot product has at most 3u of the
+/// lengths of both its factors, twice over where it is squared; with the roundings of the products
+/// themselves less than 20u.
+const LOST: f32 = 1.0 / (1 << 18) as f32;
 
 /// As many rays are asked side by side sooner than one by one.
 const ENOUGH: u32 = 3;
@@ -38,44 +42,74 @@ pub struct Balls {
     count: usize,
 }
 
-/// Balls and rays in lanes, one ball to many rays or one ray to many balls.
-struct Pairs<S: Simd> {
+/// Rays in lanes: many, or one in all of them.
+struct Beams<S: Simd> {
+    origin: [f32x8<S>; 3],
+    direction: [f32x8<S>; 3],
+    /// Sum of the magnitudes of the origin.
+    size: f32x8<S>,
+    /// Squares of the directions' lengths.
+    length_squared: f32x8<S>,
+}
+
+/// Balls in lanes: many, or one in all of them.
+struct Targets<S: Simd> {
     center: [f32x8<S>; 3],
     radius: f32x8<S>,
     size: f32x8<S>,
-    origin: [f32x8<S>; 3],
-    direction: [f32x8<S>; 3],
 }
 
-impl<S: Simd> Pairs<S> {
+impl<S: Simd> Beams<S> {
+    #[inline(always)]
+    fn new(origin: [f32x8<S>; 3], direction: [f32x8<S>; 3]) -> Self {
+        let [x, y, z] = origin;
+        Self {
+            origin,
+            direction,
+            size: x.abs() + y.abs() + z.abs(),
+            length_squared: dot(direction, direction),
+        }
+    }
+
+    #[inline(always)]
+    fn side_by_side(simd: S, rays: &Abreast) -> Self {
+        Self::new(load(simd, &rays.origin), load(simd, &rays.direction))
+    }
+
+    #[inline(always)]
+    fn everywhere(simd: S, ray: &Ray) -> Self {
+        let of = |v: Vec3| each([0, 1, 2], |axis: usize| f32x8::splat(simd, v[axis]));
+        Self::new(of(ray.origin), of(ray.direction))
+    }
+
     /// A bit for every lane whose ray may meet the ball; what is behind it is no matter if only
     /// what is `ahead` counts.
     #[inline(always)]
-    fn meeting(&self, simd: S, ahead: bool) -> u32 {
-        let [x, y, z] = subtract(self.origin, self.center);
-        let [dx, dy, dz] = self.direction;
-        let [ox, oy, oz] = self.origin;
-        let reach = self.radius + (ox.abs() + oy.abs() + oz.abs() + self.size) * f32x8::splat(simd, ROOM);
-        let reach = reach * reach;
-        // |from × d| is |d| times the distance of the line from the centre. Fused or not, this only
-        // says who is asked.
-        let cross = [y.mul_sub(dz, z * dy), z.mul_sub(dx, x * dz), x.mul_sub(dy, y * dx)];
-        let dot = |[ax, ay, az]: [f32x8<S>; 3], [bx, by, bz]: [f32x8<S>; 3]| {
-            ax.mul_add(bx, ay.mul_add(by, az * bz))
-        };
-        let length = dot(self.direction, self.direction);
-        let floor = f32x8::splat(simd, FLOOR);
-        // Written so that NaN is in doubt, and infinity beside infinity, too.
-        let mut passed = dot(cross, cross).simd_gt(reach.mul_add(length, floor));
+    fn meeting(&self, simd: S, balls: &Targets<S>, ahead: bool) -> u32 {
+        let of = |x: f32| f32x8::splat(simd, x);
+        let from = subtract(self.origin, balls.center);
+        let reach = balls.radius + (self.size + balls.size) * of(ROOM);
+        let reach_squared = reach.mul_add(reach, of(FLOOR));
+        let (away, distance_squared) = (dot(from, self.direction), dot(from, from));
+        // |from|²·|d|² − (from·d)² is |d|² times the squared distance of the line from the centre.
+        // Fused or not, this only says who is asked.
+        let whole = distance_squared * self.length_squared;
+        let aside = whole.mul_sub(of(1.0 - LOST), away * away);
+        // Written so that NaN is in doubt, and what became infinite, too.
+        let mut passed = aside.simd_gt(reach_squared.mul_add(self.length_squared, of(FLOOR)))
+            & whole.simd_lt(of(f32::INFINITY));
         if ahead {
-            let from = [x, y, z];
-            let outside = dot(from, from).simd_gt(reach + floor);
-            let leaving = dot(from, self.direction).simd_gt(f32x8::splat(simd, 0.0));
-            passed |= outside & leaving;
+            passed |= distance_squared.simd_gt(reach_squared) & away.simd_gt(of(0.0));
         }
         let passed = passed.to_bitmask();
         !passed as u32 & 0xff
     }
+}
+
+/// Whatever the order of adding: this only says who is asked.
+#[inline(always)]
+fn dot<S: Simd>([ax, ay, az]: [f32x8<S>; 3], [bx, by, bz]: [f32x8<S>; 3]) -> f32x8<S> {
+    ax.mul_add(bx, ay.mul_add(by, az * bz))
 }
 
 impl Balls {
@@ -114,34 +148,30 @@ impl Balls {
     fn rays_meeting<S: Simd>(
         &self,
         simd: S,
-        (all, rays): (&[Ray], &Abreast),
+        (rays, beams): (&[Ray], &Beams<S>),
         place: usize,
         interval: Interval,
     ) -> u32 {
-        let pairs = Pairs {
+        let ball = Targets {
             center: each([0, 1, 2], |axis: usize| f32x8::splat(simd, self.center[axis][place])),
             radius: f32x8::splat(simd, self.radius[place]),
             size: f32x8::splat(simd, self.size[place]),
-            origin: load(simd, &rays.origin),
-            direction: load(simd, &rays.direction),
         };
-        pairs.meeting(simd, interval.min >= 0.0) & ((1 << all.len()) - 1)
+        beams.meeting(simd, &ball, interval.min >= 0.0) & ((1 << rays.len()) - 1)
     }
 
     /// A bit for each ball that a ray may meet.
     #[inline(always)]
     fn met_by<S: Simd>(&self, simd: S, ray: &Ray, ahead: bool) -> u32 {
-        let mut met = 0;
+        let (beams, mut met) = (Beams::everywhere(simd, ray), 0);
         for first in (0..self.count).step_by(RAYS) {
             let lanes = |all: &[f32; MOST]| f32x8::from_slice(simd, &all[first..first + RAYS]);
-            let pairs = Pairs {
+            let balls = Targets {
                 center: each([0, 1, 2], |axis: usize| lanes(&self.center[axis])),
                 radius: lanes(&self.radius),
                 size: lanes(&self.size),
-                origin: each([0, 1, 2], |axis: usize| f32x8::splat(simd, ray.origin[axis])),
-                direction: each([0, 1, 2], |axis: usize| f32x8::splat(simd, ray.direction[axis])),
             };
-            met |= pairs.meeting(simd, ahead) << first;
+            met |= beams.meeting(simd, &balls, ahead) << first;
         }
         met & ((1 << self.count) - 1)
     }
@@ -157,8 +187,9 @@ impl Balls {
         hits: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
+        let beams = &Beams::side_by_side(simd, abreast);
         for place in 0..self.count {
-            let meeting = self.rays_meeting(simd, (rays, abreast), place, interval);
+            let meeting = self.rays_meeting(simd, (rays, beams), place, interval);
             if meeting.count_ones() < ENOUGH {
                 for lane in lanes_of(meeting) {
                     let place = [place as u32].into_iter();
@@ -186,8 +217,9 @@ impl Balls {
         hit: &mut [bool],
         c: &mut Counters,
     ) {
+        let beams = &Beams::side_by_side(simd, abreast);
         for place in 0..self.count {
-            let meeting = self.rays_meeting(simd, (rays, abreast), place, interval);
+            let meeting = self.rays_meeting(simd, (rays, beams), place, interval);
             if meeting.count_ones() < ENOUGH {
                 for lane in lanes_of(meeting) {
                     let place = [place as u32].into_iter();
