@@ -1,9 +1,10 @@
 //! Up to eight rays side by side.
 
+use common::geometry::Hit;
 use common::math::Vec3;
 use common::math::lanes::store;
 use common::ray::Ray;
-use common::simd::Simd;
+use common::simd::{Select, Simd, SimdBase, f32x8, u32x8};
 
 /// Rays side by side.
 pub const RAYS: usize = 8;
@@ -36,6 +37,36 @@ impl Abreast {
             *home = ray.home;
         }
         Self { origin: store(origin), direction: store(direction), home }
+    }
+}
+
+/// First hits of eight rays among what has no weights; t is infinite where there is none.
+pub struct Firsts {
+    /// Where.
+    pub t: [f32; RAYS],
+    /// What is hit.
+    pub primitive: [u32; RAYS],
+}
+
+impl Firsts {
+    /// None yet.
+    pub const NONE: Self = Self { t: [f32::INFINITY; RAYS], primitive: [0; RAYS] };
+
+    /// That of one ray.
+    #[inline(always)]
+    pub fn hit(&self, lane: usize) -> Option<Hit> {
+        let hit = Hit { t: self.t[lane], primitive: self.primitive[lane], u: 0.0, v: 0.0 };
+        (hit.t < f32::INFINITY).then_some(hit)
+    }
+
+    /// Takes the better of what is there and of where the rays meet one primitive, NaN for those that do not.
+    #[inline(always)]
+    pub fn take<S: Simd>(&mut self, simd: S, t: f32x8<S>, primitive: u32) {
+        let (first, number) = (f32x8::from_slice(simd, &self.t), u32x8::from_slice(simd, &self.primitive));
+        let this = u32x8::splat(simd, primitive);
+        let better = t.simd_lt(first) | t.simd_eq(first) & this.simd_lt(number);
+        better.select(t, first).store_slice(&mut self.t);
+        better.select(this, number).store_slice(&mut self.primitive);
     }
 }
 

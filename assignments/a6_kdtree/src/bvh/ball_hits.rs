@@ -1,6 +1,6 @@
 //! Balls in double precision: one ray after the other, or eight side by side with the same bits.
 
-use super::abreast::{Abreast, RAYS};
+use super::abreast::Abreast;
 use super::balls::MOST;
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit, SolidShape};
@@ -25,9 +25,11 @@ pub fn all_met<S: Simd>(
     place: usize,
     rays: &Abreast,
     interval: Interval,
-) -> ([f32; RAYS], u32) {
+) -> (f32x8<S>, u32) {
     let solid = &geometry.solids()[place];
-    let SolidShape::Sphere(ball) = &solid.shape else { return ([f32::NAN; RAYS], solid.primitive) };
+    let SolidShape::Sphere(ball) = &solid.shape else {
+        return (f32x8::splat(simd, f32::NAN), solid.primitive);
+    };
     let of = |x: f64| f64x8::splat(simd, x);
     let (origin, direction) = (load(simd, &rays.origin), load(simd, &rays.direction));
     let nothing = f32x8::splat(simd, 0.0);
@@ -55,7 +57,7 @@ pub fn all_met<S: Simd>(
         (t.simd_gt(min) & t.simd_lt(max)).select(t, instead)
     };
     let t = counts(closest - half_chord, counts(closest + half_chord, none));
-    (*finite.select(t, none), solid.primitive)
+    (finite.select(t, none), solid.primitive)
 }
 
 /// The better of `best` and the first hit among solids at these places.

@@ -4,7 +4,7 @@
 //! node or a leaf. In single precision it is soon told which rays surely pass a ball by, or leave
 //! it behind them; only the others are asked in double precision.
 
-use super::abreast::{Abreast, RAYS};
+use super::abreast::{Abreast, Firsts, RAYS};
 use super::ball_hits::{all_met, any_of, nearest_of, places_of};
 use super::bundle::lanes_of;
 use common::counters::Counters;
@@ -176,7 +176,7 @@ impl Balls {
         met & ((1 << self.count) - 1)
     }
 
-    /// Puts the better of what is there and the first hit of each of up to eight rays into `hits`.
+    /// Takes the better of what is there and the first hit of each of up to eight rays.
     #[inline(always)]
     pub fn nearest<S: Simd>(
         &self,
@@ -184,7 +184,7 @@ impl Balls {
         geometry: &Geometry,
         (rays, abreast): (&[Ray], &Abreast),
         interval: Interval,
-        hits: &mut [Option<Hit>],
+        firsts: &mut Firsts,
         c: &mut Counters,
     ) {
         let beams = &Beams::side_by_side(simd, abreast);
@@ -193,16 +193,16 @@ impl Balls {
             if meeting.count_ones() < ENOUGH {
                 for lane in lanes_of(meeting) {
                     let place = [place as u32].into_iter();
-                    hits[lane] = nearest_of(geometry, place, &rays[lane], interval, hits[lane], c);
+                    let best = nearest_of(geometry, place, &rays[lane], interval, firsts.hit(lane), c);
+                    if let Some(best) = best {
+                        (firsts.t[lane], firsts.primitive[lane]) = (best.t, best.primitive);
+                    }
                 }
                 continue;
             }
             let (t, primitive) = all_met(simd, geometry, place, abreast, interval);
             c.intersections += u64::from(meeting.count_ones());
-            for lane in lanes_of(meeting).filter(|lane| !t[*lane].is_nan()) {
-                let hit = Hit { t: t[lane], primitive, u: 0.0, v: 0.0 };
-                hits[lane] = if hit.precedes(hits[lane].as_ref()) { Some(hit) } else { hits[lane] };
-            }
+            firsts.take(simd, t, primitive);
         }
     }
 
@@ -229,8 +229,9 @@ impl Balls {
             }
             let (t, _) = all_met(simd, geometry, place, abreast, interval);
             c.intersections += u64::from(meeting.count_ones());
-            for lane in lanes_of(meeting) {
-                hit[lane] |= !t[lane].is_nan();
+            let met = t.simd_eq(t).to_bitmask() as u32 & meeting;
+            for lane in lanes_of(met) {
+                hit[lane] = true;
             }
         }
     }

@@ -3,9 +3,9 @@
 //! The arithmetic is that of [`common::shape::plane::intersect`], step by step: without fused
 //! operations, so that side by side every ray gets the bits that it would get alone.
 
-use super::abreast::{Abreast, RAYS};
+use super::abreast::{Abreast, Firsts, RAYS};
 use common::counters::Counters;
-use common::geometry::{Geometry, Hit, Sheet};
+use common::geometry::{Geometry, Sheet};
 use common::math::Interval;
 use common::math::lanes::{Vectors, each, load, multiply, narrow, sum3, widen};
 use common::ray::Ray;
@@ -97,9 +97,8 @@ pub fn nearest<S: Simd>(
     geometry: &Geometry,
     (rays, abreast): (&[Ray], &Abreast),
     interval: Interval,
-    hits: &mut [Option<Hit>],
     c: &mut Counters,
-) {
+) -> Firsts {
     let wide = Widened::of(simd, abreast);
     let (mut first, mut number) = (f32x8::splat(simd, f32::INFINITY), u32x8::splat(simd, 0));
     for (index, sheet) in geometry.sheets().iter().enumerate() {
@@ -110,13 +109,7 @@ pub fn nearest<S: Simd>(
         first = nearer.select(t, first);
         number = nearer.select(u32x8::splat(simd, sheet.primitive), number);
     }
-    let (mut t, mut primitive) = ([0.0; RAYS], [0; RAYS]);
-    first.store_slice(&mut t);
-    number.store_slice(&mut primitive);
-    for (lane, hit) in hits.iter_mut().enumerate().take(RAYS) {
-        let found = Hit { t: t[lane], primitive: primitive[lane], u: 0.0, v: 0.0 };
-        *hit = (t[lane] < f32::INFINITY).then_some(found);
-    }
+    Firsts { t: *first, primitive: *number }
 }
 
 /// Whether each of up to eight rays hits any plane or disc, as [`Geometry::any_sheet`] finds it.

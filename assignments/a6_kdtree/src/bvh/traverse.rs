@@ -1,6 +1,6 @@
 //! Questions to the tree: one ray, or many.
 
-use super::abreast::{Abreast, RAYS};
+use super::abreast::{Abreast, Firsts, RAYS};
 use super::asking::Known;
 use super::frustum::Frustum;
 use super::packet::Packet;
@@ -60,17 +60,19 @@ impl Bvh<'_> {
         }
         for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
             let all_leave = sheets::all_leave(self.geometry.sheets(), rays);
-            if all_leave {
+            if all_leave && self.balls.is_empty() {
                 hits.fill(None);
-                if self.balls.is_empty() {
-                    continue;
-                }
+                continue;
             }
             let abreast = Abreast::of(simd, rays);
-            if !all_leave {
-                sheets::nearest(simd, self.geometry, (rays, &abreast), interval, hits, c);
+            let mut firsts = match all_leave {
+                true => Firsts::NONE,
+                false => sheets::nearest(simd, self.geometry, (rays, &abreast), interval, c),
+            };
+            self.balls.nearest(simd, self.geometry, (rays, &abreast), interval, &mut firsts, c);
+            for (lane, hit) in hits.iter_mut().enumerate().take(RAYS) {
+                *hit = firsts.hit(lane);
             }
-            self.balls.nearest(simd, self.geometry, (rays, &abreast), interval, hits, c);
         }
     }
 

@@ -89,6 +89,12 @@ impl Stream {
         self.pixel
     }
 
+    /// Those of a sample so many later in the same pixel.
+    #[inline(always)]
+    pub fn after(&self, rows: u32) -> Self {
+        Self { sample: self.sample + rows, row: self.row + rows, ..*self }
+    }
+
     /// What scrambles a pair of coordinates.
     #[inline(always)]
     fn key_of(&self, pair: u32) -> u64 {
@@ -123,11 +129,11 @@ impl Numbers {
         }
     }
 
-    /// The numbers of sample `first + row` of a pixel, `first` being the first of those prepared.
+    /// The numbers of sample `first` of a pixel, the first of those prepared.
     #[inline]
-    pub fn stream(&self, pixel: Pixel, first: u32, row: u32) -> Stream {
+    pub fn stream(&self, pixel: Pixel, first: u32) -> Stream {
         let key = hash(self.seed, u64::from(pixel.0) << 32 | u64::from(pixel.1), 0);
-        Stream { pixel, key, sample: first + row, row }
+        Stream { pixel, key, sample: first, row: 0 }
     }
 
     /// Two coordinates in [0, 1).
@@ -174,7 +180,7 @@ mod tests {
         let size = Size::new(8, 8).unwrap();
         for pattern in [Pattern::Sobol, Pattern::Random, Pattern::Halton] {
             let choices = |seed: u64| {
-                let stream = Numbers::new(pattern, 4, size, seed).stream((3, 5), 0, 1);
+                let stream = Numbers::new(pattern, 4, size, seed).stream((3, 5), 0).after(1);
                 [Choice::Material, Choice::Followed, Choice::Ball(0), Choice::Ball(1)]
                     .map(|choice| stream.beside(2, choice)[0])
             };

@@ -16,21 +16,20 @@ impl PathTracer<'_> {
         self.numbers.prepare(samples.clone(), &mut scratch.rows);
         scratch.rays.clear();
         scratch.paths.clear();
-        let mut slot = 0;
+        let (mut slot, each) = (0, samples.len() as u32);
         for &pixel in pixels {
-            for row in 0..samples.len() as u32 {
-                let stream = self.numbers.stream(pixel, samples.start, row);
-                scratch.paths.push(Path {
-                    throughput: Vec3::ONE,
-                    slot,
-                    stream,
-                    normal: Vec3::ZERO,
-                    pdf: f32::INFINITY,
-                    left: 1.0,
-                    chain: Chain::None,
-                });
-                slot += 1;
-            }
+            let first = Path {
+                throughput: Vec3::ONE,
+                slot,
+                stream: self.numbers.stream(pixel, samples.start),
+                normal: Vec3::ZERO,
+                pdf: f32::INFINITY,
+                left: 1.0,
+                chain: Chain::None,
+            };
+            let path = |row| Path { slot: slot + row, stream: first.stream.after(row), ..first };
+            scratch.paths.extend((0..each).map(path));
+            slot += each;
         }
         self.camera_rays(scratch);
     }
