@@ -54,6 +54,7 @@ impl Asked<'_> {
 impl Bvh<'_> {
     /// Calls `follow` for the rays of which the tree must be asked, with what is known of them.
     /// `few` is told of those that only a few triangles could stop.
+    #[expect(clippy::too_many_arguments, reason = "rays, what is known of them, and what is done with them")]
     #[inline(always)]
     pub(super) fn ask_for<S: Simd, T: Known>(
         &self,
