@@ -9,6 +9,7 @@
 //! Each is kept about the point that it belongs to, not about the origin: numbers stay small where
 //! distances are, and nothing cancels far from the origin.
 
+use crate::collapse::abreast::{Columns, Edges, Symmetrics, price_all};
 use crate::collapse::banded::Banded;
 use crate::collapse::cost::{Cost, Merge, Offer, cheapest_by_form, without_bias};
 use crate::collapse::memoryless::{line, plane};
@@ -16,7 +17,8 @@ use crate::collapse::quadric::Symmetric;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface};
 use common::math::DVec3;
-use common::simd::prefetch;
+use common::math::lanes::{LANES, dot, scale, subtract, widen};
+use common::simd::{self, Simd, SimdBase, dispatch, f32x8, f64x8, prefetch};
 
 /// Share of the trace by which a minimum must be determined: well above the rounding of single precision.
 const LEAST_RANK: f64 = 1e-6;
@@ -92,10 +94,8 @@ impl Accumulated {
     /// Adds the planes of the faces that are there.
     fn sum_up(&mut self, surface: &Surface) {
         for (i, face) in surface.faces.iter().enumerate().filter(|(_, face)| !face.is_gone()) {
-            let corners = face.corners();
-            let [a, b, c] = corners.map(|point| surface.at(point));
-            let plane = plane((b - a).cross(c - a)).single();
-            for point in corners {
+            let plane = plane(surface.normal(i)).single();
+            for point in face.corners() {
                 self.of[point as usize].add(&plane);
             }
             if face.is_at_boundary() {
@@ -127,6 +127,31 @@ impl Accumulated {
     }
 }
 
+impl Accumulated {
+    /// What eight edges cost; no number where [`Cost::price`] must tell.
+    #[inline(always)]
+    fn price_eight<S: Simd>(&self, simd: S, surface: &Surface, edges: &[u32; LANES]) -> [f64; LANES] {
+        let edges = Edges::new(surface, edges);
+        let (mut p, mut q) = (Columns::new(), Columns::new());
+        for (lane, [start, end]) in edges.ends.into_iter().enumerate() {
+            p.set(lane, &self.of[start as usize].0);
+            q.set(lane, &self.of[end as usize].0);
+        }
+        let edge = edges.along(simd);
+        let two = f64x8::splat(simd, 2.0);
+        let sum = |i: usize| widen(simd, f32x8::from_slice(simd, &p.0[i]) + f32x8::from_slice(simd, &q.0[i]));
+        let of_end = |i: usize| widen(simd, f32x8::from_slice(simd, &q.0[i]));
+        let a_of_end = [of_end(0), of_end(1), of_end(2), of_end(3), of_end(4), of_end(5)];
+        let across = Symmetrics(a_of_end).times(edge);
+        let a = Symmetrics([sum(0), sum(1), sum(2), sum(3), sum(4), sum(5)]);
+        let r = subtract(across, [sum(6), sum(7), sum(8)]);
+        let c = sum(9) + dot(edge, subtract(across, scale([of_end(6), of_end(7), of_end(8)], two)));
+        let y = a.least(simd, r, edge, LEAST_RANK);
+        let error = dot(y, subtract(a.times(y), scale(r, two))) + c;
+        a.costs(simd, edge, y, error, SHAPE)
+    }
+}
+
 impl Cost for Accumulated {
     type Line = Banded;
 
@@ -140,6 +165,11 @@ impl Cost for Accumulated {
     #[inline(always)]
     fn price(&self, surface: &Surface, h: u32) -> Offer {
         cheapest_by_form(surface, h, (LEAST_RANK, SHAPE), |edge| self.form(surface, h, edge))
+    }
+
+    fn price_all(&self, surface: &Surface, what: impl FnMut(u32, f64)) {
+        let eight = |edges: &[u32; LANES]| dispatch!(simd::level(), s => self.price_eight(s, surface, edges));
+        price_all(surface, eight, |h| self.price(surface, h).cost, what);
     }
 
     fn place(&self, surface: &Surface, h: u32, offer: &Offer) -> DVec3 {

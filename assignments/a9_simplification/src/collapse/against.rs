@@ -9,15 +9,24 @@
 use crate::collapse::boxes::Boxes;
 use crate::collapse::lattice::{Cells, Grid, Lattice};
 use crate::collapse::locate::{locate, square};
-#[cfg(test)]
-use crate::collapse::looks::Least;
-use crate::collapse::looks::{Look, Looks};
+use crate::collapse::looks::{Least, Look, Looks, are_along, bounds};
 use crate::collapse::surface::Surface;
 use crate::collapse::witness::FARTHER;
 use common::math::DVec3;
 
+/// Size of the cells in which one looks closely, in sides of the original's faces.
+pub(super) const CELL: f64 = 1.0;
+
+/// Slots for each face of the original.
+const SLOTS: usize = 2;
+
 /// Least size of a cell in terms of how far middles are from the original.
 const REACHES: f64 = 1.5;
+
+/// Least squared sine of a corner at which weights are not lost by rounding …
+const LEAST_SINE2: f64 = 1e-4;
+/// … of more than this share.
+const ROUNDING: f64 = 1e-6;
 
 /// A face of a surface: where and where to it looks.
 #[derive(Clone, Copy)]
@@ -26,74 +35,105 @@ pub(super) struct Probe {
     pub normal: DVec3,
     /// What the original is not farther than.
     pub reach: f64,
+    /// The cells that what is within its reach can be in, as long as that is asked.
+    pub cells: Cells,
+    /// Bounds of its normal, likewise.
+    pub least: Least,
 }
 
 /// The faces of a surface that may look against the original: few more than those that do. `near` tells for
 /// every point of the surface one of the original's that should be close, `was` for every face which of the
 /// original's it was.
-pub(super) fn suspects(original: &Grid, surface: &Surface, near: &[u32], was: &[u32]) -> Vec<u32> {
-    let probe = |face: usize| probe(original.surface, surface, near, was, face);
-    let probes: Vec<Probe> = (0..was.len()).map(probe).collect();
-    let against = against(original, &probes);
+pub(super) fn suspects(original: &Surface, surface: &Surface, near: &[u32], was: &[u32]) -> Vec<u32> {
+    let probe = |face: usize| probe(original, surface, near, was, face);
+    let mut probes: Vec<Probe> = (0..was.len()).map(probe).collect();
+    let against = against(&Grid::new(original, CELL), &mut probes);
     let is_suspect = |&face: &usize| {
         let start = near[surface.faces[face].corners()[0] as usize];
-        against[face] < f64::INFINITY && !probes[face].looks_along(original.surface, start, against[face])
+        against[face] < f64::INFINITY && !probes[face].looks_along(original, start, against[face])
     };
     (0..was.len()).filter(is_suspect).map(|face| face as u32).collect()
 }
 
+fn mean_reach(probes: &[Probe]) -> f64 {
+    probes.iter().map(|probe| probe.reach).sum::<f64>() / probes.len() as f64
+}
+
 #[inline(always)]
 fn probe(original: &Surface, surface: &Surface, near: &[u32], was: &[u32], face: usize) -> Probe {
-    let [a, b, c] = surface.faces[face].corners();
-    let (middle, normal) = middle([surface.at(a), surface.at(b), surface.at(c)]);
-    let start = original.at(near[a as usize]).distance_squared(middle);
-    let reach = Triangle::of(original, was[face]).square(middle).min(start).sqrt() * FARTHER;
-    Probe { middle, normal, reach }
+    let a = surface.faces[face].corners()[0];
+    let (middle, normal) = middle(surface.places(face));
+    let triangle = Triangle::of(original, was[face]);
+    let square = triangle.square_above(middle).unwrap_or_else(|| {
+        let start = original.at(near[a as usize]).distance_squared(middle);
+        triangle.square(middle).min(start)
+    });
+    Probe { middle, normal, reach: square.sqrt() * FARTHER, cells: Cells::default(), least: Least::default() }
 }
 
 /// For every probe the squared distance of what is nearest of all that looks against it, infinite if there is
 /// nothing of that kind within reach.
-fn against(original: &Grid, probes: &[Probe]) -> Vec<f64> {
-    let mean_reach = probes.iter().map(|probe| probe.reach).sum::<f64>() / probes.len() as f64;
-    let lattice = original.coarser(REACHES * mean_reach);
-    let boxes = Boxes::new(lattice, probes.len(), |i| probes[i].cells(&lattice));
-    let looks = Looks::new(lattice, probes);
+fn against(original: &Grid, probes: &mut [Probe]) -> Vec<f64> {
+    let lattice =
+        original.coarser(REACHES * mean_reach(probes)).with_slots(SLOTS * original.surface.faces.len());
+    let mut looks = Looks::new(lattice);
+    for probe in &mut *probes {
+        (probe.cells, probe.least) = (probe.around(&lattice), bounds(probe.normal));
+        looks.add(&probe.cells, &probe.least);
+    }
+    let Asking { faces, slots } = Asking::of(original, &lattice, &looks);
+    let boxes = Boxes::new(lattice, probes.len(), |i| probes[i].cells, |slot| slots[slot]);
     let mut against = vec![f64::INFINITY; probes.len()];
-    for (i, face) in original.surface.faces.iter().enumerate() {
-        let (face, look) = (i as u32, Look::of(face.look()));
-        let mut triangle = None;
-        let ask = |probe: u32| {
-            let triangle = triangle.get_or_insert_with(|| Triangle::of(original.surface, face));
-            if let Some(square) = probes[probe as usize].against(triangle) {
-                let nearest = &mut against[probe as usize];
+    for face in faces {
+        let look = Look::of(original.surface.faces[face as usize].look());
+        boxes.near(&original.cells(&lattice, face), |i| {
+            let probe = &probes[i as usize];
+            if !are_along(&probe.least, &look)
+                && let Some(square) = probe.against(&Triangle::of(original.surface, face))
+            {
+                let nearest = &mut against[i as usize];
                 *nearest = nearest.min(square);
             }
-        };
-        boxes.near(&original.cells(&lattice, face), |slot| looks.all_along(slot, &look), ask);
+        });
     }
     against
+}
+
+/// The faces of an original that may look against some of what is near them, and in which slots.
+struct Asking {
+    faces: Vec<u32>,
+    slots: Vec<bool>,
+}
+
+impl Asking {
+    fn of(original: &Grid, lattice: &Lattice, looks: &Looks) -> Self {
+        let (mut faces, mut slots) = (Vec::new(), vec![false; lattice.slots()]);
+        for (i, face) in (0..).zip(&original.surface.faces) {
+            let (cells, look) = (original.cells(lattice, i), Look::of(face.look()));
+            let mut asks = looks.anywhere || cells.are_many();
+            looks.not_along(&cells, &look, |slot| (asks, slots[slot]) = (true, true));
+            if asks {
+                faces.push(i);
+            }
+        }
+        Self { faces, slots }
+    }
 }
 
 /// Bytes that are held while one looks for suspects among so many faces, if each is in two cells.
 #[cfg(test)]
 pub(super) fn bytes(original: &Grid, faces: usize) -> usize {
-    let each_slot = size_of::<Least>() + 2 * size_of::<u32>();
+    let each_slot = size_of::<Least>() + size_of::<u32>() + size_of::<bool>();
     let each_face = size_of::<Probe>() + size_of::<f64>() + 2 * size_of::<u32>();
-    original.bytes() + original.coarser(0.0).slots() * each_slot + faces * each_face
+    let slots = original.coarser(0.0).with_slots(SLOTS * original.surface.faces.len()).slots();
+    original.bytes() + slots * each_slot + faces * each_face
 }
 
 impl Probe {
-    /// The box around what is within its reach.
+    /// The cells of what is within its reach.
     #[inline(always)]
-    fn around(&self) -> (DVec3, DVec3) {
-        (self.middle - self.reach, self.middle + self.reach)
-    }
-
-    /// The cells that it meets.
-    #[inline(always)]
-    pub(super) fn cells(&self, lattice: &Lattice) -> Cells {
-        let (low, high) = self.around();
-        lattice.cells(low, high)
+    pub(super) fn around(&self, lattice: &Lattice) -> Cells {
+        lattice.cells(self.middle - self.reach, self.middle + self.reach)
     }
 
     /// The squared distance of a triangle if it is within reach and looks the other way.
@@ -128,8 +168,23 @@ pub(super) struct Triangle {
 impl Triangle {
     #[inline(always)]
     pub(super) fn of(original: &Surface, face: u32) -> Self {
-        let corners = original.faces[face as usize].corners().map(|p| original.at(p));
+        let corners = original.places(face as usize);
         Self { corners, normal: middle(corners).1 }
+    }
+
+    /// Squared distance to a point that is surely above the inside of the triangle, or below; no sliver has such.
+    #[inline(always)]
+    fn square_above(&self, p: DVec3) -> Option<f64> {
+        let [a, b, c] = self.corners;
+        let (u, v, w) = (b - a, c - a, p - a);
+        let (uu, uv, vv, uw, vw) = (u.dot(u), u.dot(v), v.dot(v), u.dot(w), v.dot(w));
+        // Weights of b and c, and of all three, up to a factor.
+        let (of_b, of_c, all) = (vv * uw - uv * vw, uu * vw - uv * uw, uu * vv - uv * uv);
+        let least = ROUNDING * all;
+        let is_above =
+            all > LEAST_SINE2 * uu * vv && of_b > least && of_c > least && of_b + of_c < all - least;
+        let above = self.normal.dot(w);
+        is_above.then(|| above * above / self.normal.length_squared())
     }
 
     /// Squared distance to a point.

@@ -14,8 +14,14 @@ pub(super) struct Boxes {
 }
 
 impl Boxes {
-    /// Sorts `count` boxes into the slots of the cells that they meet.
-    pub(super) fn new(lattice: Lattice, count: usize, cells: impl Fn(usize) -> Cells) -> Self {
+    /// Sorts `count` boxes into the slots of the cells that they meet, as far as `wanted` says of a slot that
+    /// somebody will ask for it.
+    pub(super) fn new(
+        lattice: Lattice,
+        count: usize,
+        cells: impl Fn(usize) -> Cells,
+        wanted: impl Fn(usize) -> bool,
+    ) -> Self {
         let mut first = vec![0u32; lattice.slots() + 1];
         let mut large = Vec::new();
         for i in 0..count {
@@ -23,22 +29,23 @@ impl Boxes {
             if cells.are_many() {
                 large.push(i as u32);
             } else {
-                lattice.each(&cells, |slot| first[slot + 1] += 1);
+                lattice.each(&cells, |slot| first[slot] += u32::from(wanted(slot)));
             }
         }
+        // Where each slot ends …
         for i in 1..first.len() {
             first[i] += first[i - 1];
         }
         let mut sorted = vec![0; first[first.len() - 1] as usize];
-        // Each slot is filled from its end.
-        let mut free = first[1..].to_vec();
+        // … and, filled from its end, where it begins.
         for i in (0..count).rev() {
             let cells = cells(i);
             if !cells.are_many() {
                 lattice.each(&cells, |slot| {
-                    let slot = &mut free[slot];
-                    *slot -= 1;
-                    sorted[*slot as usize] = i as u32;
+                    if wanted(slot) {
+                        first[slot] -= 1;
+                        sorted[first[slot] as usize] = i as u32;
+                    }
                 });
             }
         }
@@ -46,17 +53,15 @@ impl Boxes {
     }
 
     /// Calls `what` with the number of every box that meets some cells; with some of them more than once,
-    /// and with others that are only near. Those that are only in slots of which `skip` says so are not told.
+    /// and with others that are only near. Those that are only in slots that were not wanted are not told.
     #[inline(always)]
-    pub(super) fn near(&self, cells: &Cells, skip: impl Fn(usize) -> bool, mut what: impl FnMut(u32)) {
+    pub(super) fn near(&self, cells: &Cells, mut what: impl FnMut(u32)) {
         if cells.are_many() {
             return self.all(&mut what);
         }
         self.lattice.each(cells, |slot| {
-            if !skip(slot) {
-                let within = self.first[slot] as usize..self.first[slot + 1] as usize;
-                self.sorted[within].iter().for_each(|&i| what(i));
-            }
+            let within = self.first[slot] as usize..self.first[slot + 1] as usize;
+            self.sorted[within].iter().for_each(|&i| what(i));
         });
         self.large.iter().for_each(|&i| what(i));
     }
@@ -89,18 +94,18 @@ mod tests {
         let all: Vec<_> = (0..500).map(&mut random_box).collect();
         for size in [0.0, 1e-3, 1.0] {
             let lattice = Lattice::new(DVec3::ZERO, size, 2 * all.len());
-            let boxes = Boxes::new(lattice, all.len(), |i| lattice.cells(all[i].0, all[i].1));
+            let boxes = Boxes::new(lattice, all.len(), |i| lattice.cells(all[i].0, all[i].1), |_| true);
             for i in 0..200 {
                 let (low, high) = random_box(i);
                 let mut told = vec![false; all.len()];
-                boxes.near(&lattice.cells(low, high), |_| false, |i| told[i as usize] = true);
+                boxes.near(&lattice.cells(low, high), |i| told[i as usize] = true);
                 for (other, told) in all.iter().zip(told) {
                     assert!(told || other.0.cmpgt(high).any() || other.1.cmplt(low).any(), "{other:?}");
                 }
             }
         }
         let lattice = Lattice::new(DVec3::ZERO, 1.0, 0);
-        let none = Boxes::new(lattice, 0, |_| unreachable!());
-        none.near(&lattice.cells(DVec3::ZERO, DVec3::ONE), |_| false, |_| panic!("there is none"));
+        let none = Boxes::new(lattice, 0, |_| unreachable!(), |_| true);
+        none.near(&lattice.cells(DVec3::ZERO, DVec3::ONE), |_| panic!("there is none"));
     }
 }

@@ -8,7 +8,7 @@ use common::math::DVec3;
 
 /// Share of the trace by which a minimum must be determined; in directions in which it is less,
 /// the middle of the edge decides. It is relative, so flat is flat at any scale.
-const LEAST_RANK: f64 = 1e-9;
+pub(super) const LEAST_RANK: f64 = 1e-9;
 
 /// Square of how far a minimum may be drawn away by what decides where A does not tell, in lengths of the edge.
 const FAINT: f64 = 0.01;
@@ -51,6 +51,11 @@ pub(super) trait Cost: Clone {
 
     /// The price of drawing the edge of a half-edge together.
     fn price(&self, surface: &Surface, h: u32) -> Offer;
+
+    /// Calls `what` with every edge and its price.
+    fn price_all(&self, surface: &Surface, mut what: impl FnMut(u32, f64)) {
+        surface.edges().for_each(|h| what(h, self.price(surface, h).cost));
+    }
 
     /// Where the point is put if an offer is taken.
     fn place(&self, _surface: &Surface, _h: u32, offer: &Offer) -> DVec3 {

@@ -31,7 +31,7 @@ pub(super) struct Lattice {
 }
 
 /// Cells in a box: the lowest, and how many more there are along each axis.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct Cells {
     low: [i32; 3],
     more: [u32; 3],
@@ -90,12 +90,23 @@ impl Lattice {
 
     /// Calls `what` with the slot of each of some cells.
     #[inline(always)]
-    pub(super) fn each(&self, Cells { low: [x, y, z], more }: &Cells, mut what: impl FnMut(usize)) {
+    pub(super) fn each(&self, cells: &Cells, mut what: impl FnMut(usize)) {
+        self.each_named(cells, |slot, _| what(slot));
+    }
+
+    /// Calls `what` with the slot of each of some cells, and with a name that few others in that slot have: from 0 to
+    /// 32766.
+    #[inline(always)]
+    pub(super) fn each_named(
+        &self,
+        Cells { low: [x, y, z], more }: &Cells,
+        mut what: impl FnMut(usize, i16),
+    ) {
         // Neighbours along x are neighbours in memory.
         let mut slot = x.wrapping_add(y.wrapping_mul(BESIDE)).wrapping_add(z.wrapping_mul(BEHIND));
         let [mut x_left, mut y_left, mut z_left] = *more;
         loop {
-            what(slot as usize & self.last_slot);
+            what(slot as usize & self.last_slot, (slot >> 15) as i16 & 0x7ffe);
             if x_left > 0 {
                 (x_left, slot) = (x_left - 1, slot.wrapping_add(1));
             } else if y_left > 0 {
@@ -151,7 +162,8 @@ impl<'a> Grid<'a> {
     /// The cells of a lattice of its own that the box around a face meets.
     #[inline(always)]
     pub(super) fn cells(&self, lattice: &Lattice, face: u32) -> Cells {
-        let [a, b, c] = self.surface.faces[face as usize].corners().map(|point| self.cells[point as usize]);
+        let [a, b, c] = self.surface.faces[face as usize].corners();
+        let [a, b, c] = [self.cells[a as usize], self.cells[b as usize], self.cells[c as usize]];
         lattice.between(least(least(a, b), c))
     }
 }

@@ -1,7 +1,7 @@
 //! A mesh made ready, and the levels that one run goes through.
 
 use crate::collapse::accumulated::Accumulated;
-use crate::collapse::against::suspects;
+use crate::collapse::against::{CELL, suspects};
 use crate::collapse::build::{Built, build};
 use crate::collapse::cost::Cost;
 use crate::collapse::deviation::{closest, deviation};
@@ -66,9 +66,6 @@ const ALWAYS: Finish = Finish { samples: 32, from: 1, rounds: 3 };
 const QUICKLY: Finish = Finish { samples: 8, from: FEW, rounds: 1 };
 /// Points stay where the run put them.
 const NEVER: Finish = Finish { samples: 0, from: usize::MAX, rounds: 0 };
-
-/// Size of the cells in which one looks for what is against the original, in sides of its triangles.
-pub(super) const CELL: f64 = 1.5;
 
 struct Levels<'a, C: Cost> {
     prepared: &'a Prepared<'a>,
@@ -203,9 +200,9 @@ impl<C: Cost> Level for Levels<'_, C> {
         if changed {
             let near = closest(&built.surface, &snapshot.surface, &snapshot.becomes);
             self.fit(&mut snapshot, &near);
-            let original = Grid::new(&built.surface, CELL);
-            let suspects = suspects(&original, &snapshot.surface, &near, &snapshot.faces);
+            let suspects = suspects(&built.surface, &snapshot.surface, &near, &snapshot.faces);
             if !suspects.is_empty() {
+                let original = Grid::new(&built.surface, CELL);
                 let mender = Mender::new(&original, &snapshot.surface, &suspects, &snapshot.fixed, &near);
                 against = mender.mend(&mut snapshot.surface, suspects);
             }

@@ -1,8 +1,11 @@
 //! Where on a surface is the point next to a given one? Looked for near a point of the surface
 //! that is near already; what is found may not be the nearest of all.
 
+use crate::collapse::around::{Faces, Nearest};
 use crate::collapse::surface::{NONE, Surface};
 use common::math::DVec3;
+use common::math::lanes::LANES;
+use common::simd::{self, dispatch};
 
 /// At how many points one looks around at most.
 const MOST_FANS: usize = 32;
@@ -60,15 +63,20 @@ pub(super) fn locate(surface: &Surface, start: u32, p: DVec3) -> (f64, Landing) 
     best
 }
 
-#[inline(always)]
 fn look_around(surface: &Surface, point: u32, p: DVec3, best: &mut (f64, Landing)) {
-    for h in surface.fan(point) {
-        let face = h >> 2;
-        let [a, b, c] = surface.faces[face as usize].corners().map(|i| surface.at(i));
-        let weights = nearest(p, a, b, c);
-        let distance = (a * weights[0] + b * weights[1] + c * weights[2] - p).length_squared();
-        if distance < best.0 {
-            *best = (distance, Landing { face, weights: weights.map(|w| w as f32) });
+    let mut fan = surface.fan(point);
+    loop {
+        let faces = Faces::of(surface, &mut fan);
+        let Nearest { weights: [u, v, w], squares } =
+            dispatch!(simd::level(), s => faces.nearest(s, surface.scale, p));
+        for lane in 0..faces.count {
+            if squares[lane] < best.0 {
+                let weights = [u[lane] as f32, v[lane] as f32, w[lane] as f32];
+                *best = (squares[lane], Landing { face: faces.numbers[lane], weights });
+            }
+        }
+        if faces.count < LANES {
+            return;
         }
     }
 }

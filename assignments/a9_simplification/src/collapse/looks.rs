@@ -1,20 +1,28 @@
 //! Where does a surface look, near a place? Bounds of normals in cells: most triangles of the original
 //! look along all of those near them, and so nothing need be asked of them one by one.
 
-use crate::collapse::against::Probe;
-use crate::collapse::lattice::Lattice;
+use crate::collapse::lattice::{Cells, Lattice};
+use common::math::DVec3;
 
 /// A component of one, in units of which normals are bounded.
 const ONE: f64 = 511.0;
 /// More than what is lost by the rounding of three components, each times another.
 const LOST: i32 = 800;
 
-/// Least components of some normals, and of their opposites; every fourth is not used.
+/// Least components of some normals, and of their opposites; in place of a fourth stands whose cell they are in.
 pub(super) type Least = [i16; 8];
+
+/// Of no normals.
+const NOTHING: Least = [i16::MAX; 8];
+/// Whose several cells are that share a slot; as the least of all it stays so.
+const SHARED: i16 = i16::MIN;
 
 /// Bounds of normals in the slots of a lattice.
 pub(super) struct Looks {
+    lattice: Lattice,
     least: Vec<Least>,
+    /// Whether some are in so many cells that they can be met anywhere.
+    pub anywhere: bool,
 }
 
 /// A direction: how much each bound of normals adds to the least cosine.
@@ -29,39 +37,69 @@ impl Look {
 }
 
 impl Looks {
-    /// Of probes, each in all cells within its reach.
-    pub(super) fn new(lattice: Lattice, probes: &[Probe]) -> Self {
-        let mut least = vec![[i16::MAX; 8]; lattice.slots()];
-        for probe in probes {
-            let unit = probe.normal * (ONE / probe.normal.abs().max_element());
-            // What is no number becomes 0, along which nothing looks for certain.
-            // The next integer below, or one less; `floor` is slow where processors lack it.
-            let below = |c: f64| c as i16 - i16::from(c < 0.0);
-            let [x, y, z] = unit.to_array().map(below);
-            let [u, v, w] = unit.to_array().map(|c| below(-c));
-            let other = [x, y, z, 0, u, v, w, 0];
-            let cells = probe.cells(&lattice);
-            if !cells.are_many() {
-                lattice.each(&cells, |slot| {
-                    let least = &mut least[slot];
-                    *least = std::array::from_fn(|i| least[i].min(other[i]));
-                });
-            }
-        }
-        Self { least }
+    /// Of nothing yet.
+    pub(super) fn new(lattice: Lattice) -> Self {
+        Self { lattice, least: vec![NOTHING; lattice.slots()], anywhere: false }
     }
 
-    /// Whether all normals in a slot are known to be within a right angle of a direction.
+    /// Adds a normal with such bounds to some cells.
     #[inline(always)]
-    pub(super) fn all_along(&self, slot: usize, look: &Look) -> bool {
-        let sum: i32 = self.least[slot].iter().zip(look.0).map(|(&a, b)| i32::from(a) * i32::from(b)).sum();
-        sum > LOST
+    pub(super) fn add(&mut self, cells: &Cells, bounds: &Least) {
+        if cells.are_many() {
+            self.anywhere = true;
+            return;
+        }
+        let mut bounds = *bounds;
+        self.lattice.each_named(cells, |slot, name| {
+            let least = &mut self.least[slot];
+            bounds[3] = if least[3] == name || *least == NOTHING { name } else { SHARED };
+            *least = std::array::from_fn(|i| least[i].min(bounds[i]));
+        });
     }
+
+    /// Calls `what` with the slots of those cells in which not all normals are known to be within a right angle of
+    /// a direction.
+    #[inline(always)]
+    pub(super) fn not_along(&self, cells: &Cells, look: &Look, mut what: impl FnMut(usize)) {
+        if cells.are_many() {
+            return;
+        }
+        self.lattice.each_named(cells, |slot, name| {
+            let least = &self.least[slot];
+            // Most slots have nothing of this cell in them.
+            if (least[3] == name || least[3] == SHARED) && !are_along(least, look) {
+                what(slot);
+            }
+        });
+    }
+}
+
+/// Bounds of a normal, given as for [`Look::of`].
+#[inline(always)]
+pub(super) fn around([x, y, z]: [i16; 3]) -> Least {
+    [x - 1, y - 1, z - 1, 0, -x - 1, -y - 1, -z - 1, 0]
+}
+
+/// Components of a normal, and of its opposite, that are at least as much and at most two more than these.
+#[inline(always)]
+pub(super) fn bounds(normal: DVec3) -> Least {
+    let unit = normal * (ONE / normal.abs().max_element());
+    // What is no number becomes 0, along which nothing looks for certain. Rounds by cutting off, as `floor` is slow
+    // where processors lack it.
+    around([unit.x as i16, unit.y as i16, unit.z as i16])
+}
+
+/// Whether all normals with these bounds are known to be within a right angle of a direction.
+#[inline(always)]
+pub(super) fn are_along(least: &Least, Look(look): &Look) -> bool {
+    let sum: i32 = least.iter().zip(look).map(|(&a, &b)| i32::from(a) * i32::from(b)).sum();
+    sum > LOST
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collapse::against::Probe;
     use crate::collapse::surface::Face;
     use common::math::DVec3;
 
@@ -78,14 +116,26 @@ mod tests {
         Look::of(face.look())
     }
 
+    fn probes(lattice: &Lattice, middle: DVec3, normals: &[DVec3]) -> Vec<Probe> {
+        let probe = |&normal: &DVec3| {
+            let probe = Probe { middle, normal, reach: 0.1, cells: Cells::default(), least: bounds(normal) };
+            Probe { cells: probe.around(lattice), ..probe }
+        };
+        normals.iter().map(probe).collect()
+    }
+
+    fn looks(lattice: Lattice, probes: &[Probe]) -> Looks {
+        let mut looks = Looks::new(lattice);
+        probes.iter().for_each(|probe| looks.add(&probe.cells, &probe.least));
+        looks
+    }
+
     /// Whether all of some probes at one place, with these normals, are known to be along a direction.
     fn are_along(normals: &[DVec3], way: DVec3) -> bool {
         let lattice = Lattice::new(DVec3::ZERO, 1.0, 64);
-        let probe = |&normal: &DVec3| Probe { middle: DVec3::splat(2.5), normal, reach: 0.1 };
-        let probes: Vec<Probe> = normals.iter().map(probe).collect();
-        let looks = Looks::new(lattice, &probes);
+        let probes = probes(&lattice, DVec3::splat(2.5), normals);
         let mut all = true;
-        lattice.each(&probes[0].cells(&lattice), |slot| all &= looks.all_along(slot, &look(way)));
+        looks(lattice, &probes).not_along(&probes[0].cells, &look(way), |_| all = false);
         all
     }
 
@@ -115,7 +165,24 @@ mod tests {
     #[test]
     fn where_nothing_is_nothing_looks_elsewhere() {
         let lattice = Lattice::new(DVec3::ZERO, 1.0, 64);
-        let looks = Looks::new(lattice, &[]);
-        assert!((0..lattice.slots()).all(|slot| looks.all_along(slot, &look(DVec3::NEG_ONE))));
+        let looks = looks(lattice, &[]);
+        let everywhere = lattice.cells(DVec3::splat(-4.0), DVec3::splat(4.0));
+        looks.not_along(&everywhere, &look(DVec3::NEG_ONE), |_| panic!("there is none"));
+    }
+
+    /// Cells that share their only slot: what is in one of them says nothing of the other, until both are in it.
+    #[test]
+    fn who_shares_a_slot_is_not_mistaken_for_another() {
+        let lattice = Lattice::new(DVec3::ZERO, 1.0, 1);
+        let [here, there] = [DVec3::splat(2.5), DVec3::new(9.5, -7.5, 3.5)];
+        let mut all = probes(&lattice, here, &[DVec3::Z]);
+        all.extend(probes(&lattice, there, &[DVec3::NEG_Z]));
+        let told = |known: &[Probe], asked: &Probe| {
+            let mut told = false;
+            looks(lattice, known).not_along(&asked.cells, &look(DVec3::NEG_Z), |_| told = true);
+            told
+        };
+        assert!(told(&all[..1], &all[0]) && !told(&all[..1], &all[1]));
+        assert!(told(&all, &all[0]) && told(&all, &all[1]));
     }
 }

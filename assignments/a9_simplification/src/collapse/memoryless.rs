@@ -5,13 +5,15 @@
 //! A step changes the triangles of the points around it; what they lose and gain is known from
 //! checking the step, and so nothing is ever summed up anew.
 
-use crate::collapse::cost::{Cost, Merge, Offer, cheapest};
+use crate::collapse::abreast::{Columns, Edges, price_all};
+use crate::collapse::cost::{Cost, LEAST_RANK, Merge, Offer, cheapest};
 use crate::collapse::quadric::Symmetric;
 use crate::collapse::queue::Queue;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface, previous};
 use common::math::DVec3;
-use common::simd::prefetch;
+use common::math::lanes::{LANES, subtract};
+use common::simd::{self, Simd, dispatch, prefetch};
 
 /// How much the edge of a boundary counts, in terms of triangles of about its size.
 const BOUNDARY: f64 = 4.0;
@@ -83,6 +85,25 @@ impl Memoryless {
     }
 }
 
+impl Memoryless {
+    /// What eight edges cost; no number where [`Cost::price`] must tell.
+    #[inline(always)]
+    fn price_eight<S: Simd>(&self, simd: S, surface: &Surface, edges: &[u32; LANES]) -> [f64; LANES] {
+        let edges = Edges::new(surface, edges);
+        let (mut p, mut q) = (Columns::new(), Columns::new());
+        for (lane, [start, end]) in edges.ends.into_iter().enumerate() {
+            p.set(lane, &self.of[start as usize].0);
+            q.set(lane, &self.of[end as usize].0);
+        }
+        let edge = edges.along(simd);
+        let [a, b] = [p.matrices(simd), q.matrices(simd)];
+        let sum = a.plus(&b);
+        let y = sum.least(simd, b.times(edge), edge, LEAST_RANK);
+        let error = a.square(y) + b.square(subtract(y, edge));
+        sum.costs(simd, edge, y, error, SHAPE)
+    }
+}
+
 impl Cost for Memoryless {
     type Line = Queue;
 
@@ -95,6 +116,11 @@ impl Cost for Memoryless {
     fn price(&self, surface: &Surface, h: u32) -> Offer {
         let [a, b] = [surface.start(h), surface.end(h)].map(|point| &self.of[point as usize]);
         cheapest(surface, h, SHAPE, |edge| (*a + *b, b.times(edge)), |y, z| a.square(y) + b.square(z))
+    }
+
+    fn price_all(&self, surface: &Surface, what: impl FnMut(u32, f64)) {
+        let eight = |edges: &[u32; LANES]| dispatch!(simd::level(), s => self.price_eight(s, surface, edges));
+        price_all(surface, eight, |h| self.price(surface, h).cost, what);
     }
 
     #[cfg(test)]

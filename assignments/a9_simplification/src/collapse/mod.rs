@@ -4,8 +4,10 @@
 //! weld → build → run (cost, queue, ring, merge, wedges) → snapshot → refit → mend → deviation → mesh
 //! ```
 
+mod abreast;
 mod accumulated;
 mod against;
+mod around;
 mod banded;
 mod boxes;
 mod build;

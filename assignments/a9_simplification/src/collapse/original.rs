@@ -33,7 +33,7 @@ impl<'a> Original<'a> {
     /// Middle and normal, as long as twice the area, of a triangle.
     #[inline(always)]
     pub(super) fn middle(&self, corners: [u32; 3]) -> (DVec3, DVec3) {
-        let [a, b, c] = corners.map(|point| self.at(point));
+        let [a, b, c] = [self.at(corners[0]), self.at(corners[1]), self.at(corners[2])];
         ((a + b + c) * (1.0 / 3.0), (b - a).cross(c - a))
     }
 

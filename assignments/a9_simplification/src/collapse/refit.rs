@@ -151,7 +151,7 @@ impl<'a> Refit<'a> {
     fn may_move(&self, surface: &Surface, point: u32, to: DVec3) -> bool {
         let from = surface.at(point);
         surface.fan(point).all(|h| {
-            let [p, q] = [surface.end(h), surface.start(previous(h))].map(|p| surface.at(p));
+            let [p, q] = [surface.at(surface.end(h)), surface.at(surface.start(previous(h)))];
             let (before, after) = ((p - from).cross(q - from), (p - to).cross(q - to));
             let look = self.looks[(h >> 2) as usize];
             let shrinks = after.length_squared() <= LEAST_AREA * LEAST_AREA * before.length_squared();
@@ -209,8 +209,8 @@ impl Landing {
     /// along the normal of the face, or straight if it landed on the face's rim.
     #[inline(always)]
     fn apart(&self, surface: &Surface, sample: DVec3) -> (DVec3, DVec3) {
-        let [a, b, c] = surface.faces[self.face as usize].corners().map(|i| surface.at(i));
-        let [u, v, w] = self.weights.map(f64::from);
+        let [a, b, c] = surface.places(self.face as usize);
+        let [u, v, w] = [f64::from(self.weights[0]), f64::from(self.weights[1]), f64::from(self.weights[2])];
         let apart = sample - (a * u + b * v + c * w);
         (apart, if self.is_inside() { (b - a).cross(c - a) } else { apart })
     }

@@ -51,6 +51,8 @@ pub(super) struct Ring {
     pub vanishes: Vec<Vanishes>,
     /// Points next to the start and to the end of the edge.
     near: [Vec<u32>; 2],
+    /// Sum of all normals before the step.
+    before: DVec3,
 }
 
 impl Ring {
@@ -103,8 +105,13 @@ impl Ring {
 
     /// Whether the surface stays one (Dey, Edelsbrunner, Guha & Nekhayev 1999, "Topology
     /// preserving edge contraction"): the ends share no neighbours but the corners opposite the
-    /// edge, no two boundaries meet, and something is left. `place_of` tells copies of a point.
-    pub(super) fn keeps_topology(&self, surface: &Surface, h: u32, place_of: impl Fn(u32) -> u32) -> bool {
+    /// edge, no two boundaries meet, and something is left. `place_of` tells copies of a point, if there are any.
+    pub(super) fn keeps_topology(
+        &self,
+        surface: &Surface,
+        h: u32,
+        place_of: Option<impl Fn(u32) -> u32>,
+    ) -> bool {
         let inner = surface.twin(h) != NONE;
         if inner && surface.on_boundary(surface.start(h)) && surface.on_boundary(surface.end(h)) {
             return false;
@@ -115,79 +122,98 @@ impl Ring {
             return false;
         }
         let [near_start, near_end] = &self.near;
-        let shared = |v: &&u32| near_end.iter().any(|&w| place_of(**v) == place_of(w));
-        near_start.iter().filter(shared).count() == if inner { 2 } else { 1 }
+        let shared = match place_of {
+            None => near_start.iter().filter(|v| near_end.contains(v)).count(),
+            Some(place_of) => {
+                let is_shared = |v: &&u32| near_end.iter().any(|&w| place_of(**v) == place_of(w));
+                near_start.iter().filter(is_shared).count()
+            }
+        };
+        shared == if inner { 2 } else { 1 }
     }
 
-    /// Whether no face that stays turns over or becomes a sliver when its end moves to `place`.
-    /// Works out the normals after the step.
+    /// Whether no face that stays turns over or becomes a sliver when its end moves to `place`, and none overhangs what is
+    /// around it where none did: it may have turned little by little. Works out the normals after the step.
     pub(super) fn keeps_shape(&mut self, surface: &Surface, place: DVec3) -> bool {
-        self.stays.iter_mut().all(|face| {
+        let (mut before, mut after) = (DVec3::ZERO, DVec3::ZERO);
+        for face in &mut self.stays {
             let [p, q] = face.sides;
-            let (u, w) = (p - place, q - place);
-            face.after = u.cross(w);
-            let (before, after) = (face.before.length_squared(), face.after.length_squared());
-            let size = (q - p).length_squared() + u.length_squared() + w.length_squared();
-            let old_size = (q - p).length_squared()
-                + (p - face.from).length_squared()
-                + (q - face.from).length_squared();
-            is_no_worse(after, size, before, old_size)
-                && has_not_turned(face.before, face.after, before, after)
-                && surface.faces[face.face as usize].looks_along(face.after)
-        })
+            face.after = (p - place).cross(q - place);
+            if !(face.keeps_shape(place) && surface.faces[face.face as usize].looks_along(face.after)) {
+                return false;
+            }
+            before += face.before;
+            after += face.after;
+        }
+        self.before = self.vanishes.iter().fold(before, |sum, face| sum + face.normal);
+        let folds_up = self.stays.iter().any(|face| is_steep(face.after, after, 0.0));
+        !folds_up || self.is_folded(0.0)
     }
-}
 
-impl Ring {
+    /// Whether some of the normals before the step points elsewhere than all of them together: by more than this least
+    /// cosine.
+    fn is_folded(&self, least: f64) -> bool {
+        let least2 = least * least * self.before.length_squared();
+        self.stays.iter().any(|face| is_steep(face.before, self.before, least2))
+            || self.vanishes.iter().any(|face| is_steep(face.normal, self.before, least2))
+    }
+
     /// What it costs that the ends of the edge, which were at `from`, are off the surface once its point is at `place`:
-    /// the squared distance, times √area of each face.
+    /// the squared distance, times √area of each face. To be asked after [`Ring::keeps_shape`].
     ///
     /// Where a thin sheet ends, all planes are about one, and to move along it costs nothing by their measure: the end
     /// would be cut off, farther with each step. So this counts where the surface is folded back on itself, and only there.
     pub(super) fn lost(&self, from: [DVec3; 2], place: DVec3) -> f64 {
-        if !is_folded(self.normals(), FOLDED) {
+        if !self.is_folded(FOLDED) {
             return 0.0;
         }
         let off = from.map(|end| {
             let squares = self.stays.iter().map(|face| square(end, [place, face.sides[0], face.sides[1]]));
             squares.fold(f64::INFINITY, f64::min)
         });
-        let weight: f64 = self.normals().map(|normal| normal.length().sqrt()).sum();
+        let before =
+            self.stays.iter().map(|face| face.before).chain(self.vanishes.iter().map(|face| face.normal));
+        let weight: f64 = before.map(|normal| normal.length().sqrt()).sum();
         TIP * weight * off[0].max(off[1])
-    }
-
-    /// Whether the step leaves a face that overhangs what is around it, where none did; it may have turned little by
-    /// little.
-    pub(super) fn folds_up(&self) -> bool {
-        is_folded(self.stays.iter().map(|face| face.after), 0.0) && !is_folded(self.normals(), 0.0)
-    }
-
-    /// The normals of all faces before the step.
-    fn normals(&self) -> impl Iterator<Item = DVec3> + Clone {
-        let stay = self.stays.iter().map(|face| face.before);
-        stay.chain(self.vanishes.iter().map(|face| face.normal))
     }
 }
 
-/// Whether some of these normals points elsewhere than all of them together: by more than this least cosine.
+/// Whether a normal points elsewhere than `all`, the sum of many: along it by less than the square root of `least2` in
+/// terms of its own length.
 #[inline(always)]
-fn is_folded(mut normals: impl Iterator<Item = DVec3> + Clone, least: f64) -> bool {
-    let all: DVec3 = normals.clone().sum();
-    let least2 = least * least * all.length_squared();
-    normals.any(|normal| {
-        let along = normal.dot(all);
-        along < 0.0 || along * along < least2 * normal.length_squared()
-    })
+fn is_steep(normal: DVec3, all: DVec3, least2: f64) -> bool {
+    let along = normal.dot(all);
+    along < 0.0 || along * along < least2 * normal.length_squared()
+}
+
+impl Stays {
+    /// Whether it neither turns too far nor becomes a sliver when its end moves to `place`.
+    #[inline(always)]
+    fn keeps_shape(&self, place: DVec3) -> bool {
+        let [p, q] = self.sides;
+        let (before, after) = (self.before.length_squared(), self.after.length_squared());
+        let size_from =
+            |end: DVec3| (q - p).length_squared() + (p - end).length_squared() + (q - end).length_squared();
+        // Most faces are far from being slivers: those are not compared with what they were.
+        let size = size_from(place);
+        (is_no_sliver(after, size) || is_no_worse(after, size, before, size_from(self.from)))
+            && has_not_turned(self.before, self.after, before, after)
+    }
 }
 
 /// Neither a sliver nor worse than it was; squared normals and sums of squared sides.
 #[inline(always)]
 pub(super) fn is_no_worse(after: f64, size: f64, before: f64, old_size: f64) -> bool {
+    let square = size * size;
+    is_no_sliver(after, size)
+        || (after * old_size * old_size >= before * square && after > ROUNDING * ROUNDING * square)
+}
+
+#[inline(always)]
+fn is_no_sliver(after: f64, size: f64) -> bool {
     // 4√3·area/Σ side² where the area is half of the normal.
     const LEAST: f64 = LEAST_QUALITY * LEAST_QUALITY / 12.0;
-    let square = size * size;
-    after >= LEAST * square
-        || (after * old_size * old_size >= before * square && after > ROUNDING * ROUNDING * square)
+    after >= LEAST * (size * size)
 }
 
 #[inline(always)]

@@ -57,15 +57,7 @@ impl<C: Cost> Run<C> {
             forget_at: share(surface.alive, MEMORY),
             surface,
         };
-        for face in 0..run.surface.faces.len() as u32 {
-            for h in 4 * face..4 * face + 3 {
-                let twin = run.surface.twin(h);
-                if twin == NONE || h < twin {
-                    let offer = run.cost.price(&run.surface, h);
-                    run.queue.push(h, C::Line::turn(offer.cost));
-                }
-            }
-        }
+        run.cost.price_all(&run.surface, |h, cost| run.queue.push(h, C::Line::turn(cost)));
         run
     }
 
@@ -136,10 +128,8 @@ impl<C: Cost> Run<C> {
         let mut ring = std::mem::take(&mut self.ring);
         ring.look(surface, h);
         let at = place.as_dvec3() * surface.scale;
-        if ring.keeps_topology(surface, h, |point| self.original(point))
-            && ring.keeps_shape(surface, at)
-            && !ring.folds_up()
-        {
+        let place_of = (!self.copies.is_empty()).then_some(|point| self.original(point));
+        if ring.keeps_topology(surface, h, place_of) && ring.keeps_shape(surface, at) {
             let now = C::Line::turn(offer.cost + C::lost(&ring, from, at));
             if now > C::Line::bear(turn, C::PATIENCE) {
                 self.queue.push(h, now);
@@ -169,15 +159,25 @@ impl<C: Cost> Run<C> {
     /// The edges around a point have other prices now.
     fn queue_around(&mut self, point: u32, turn: Turn<C>) {
         let (surface, cost) = (&self.surface, &self.cost);
+        let mut renew = |h: u32| {
+            let twin = surface.twin(h);
+            let other = Some(twin).filter(|twin| *twin != NONE);
+            self.queue.renew(h, other, turn, || cost.price(surface, h).cost);
+            twin
+        };
         let first = surface.points[point as usize].out;
         let mut spoke = first;
+        renew(first);
         loop {
-            for h in [spoke, next(spoke), previous(spoke)] {
-                let twin = Some(surface.twin(h)).filter(|twin| *twin != NONE);
-                self.queue.renew(h, twin, turn, || cost.price(surface, h).cost);
+            renew(next(spoke));
+            // On the way to the next face; the last edge of a closed fan is its first.
+            let last = previous(spoke);
+            spoke = surface.twin(last);
+            if spoke == first {
+                return;
             }
-            spoke = surface.turn(spoke);
-            if spoke == first || spoke == NONE {
+            renew(last);
+            if spoke == NONE {
                 return;
             }
         }
@@ -210,9 +210,9 @@ mod tests {
     use super::*;
     use crate::collapse::accumulated::Accumulated;
     use crate::collapse::against;
+    use crate::collapse::against::CELL;
     use crate::collapse::build::build;
     use crate::collapse::lattice::Grid;
-    use crate::collapse::levels::CELL;
     use crate::collapse::melax::Curvature;
     use crate::collapse::memoryless::Memoryless;
 

@@ -124,6 +124,16 @@ impl Surface {
         self.faces[(h >> 2) as usize].twin[(h & 3) as usize]
     }
 
+    /// For every edge that is there one of its half-edges.
+    #[inline(always)]
+    pub(super) fn edges(&self) -> impl Iterator<Item = u32> {
+        let alive = self.faces.iter().enumerate().filter(|(_, face)| !face.is_gone());
+        alive.flat_map(|(i, face)| {
+            let sides = (0..3).map(move |side| (4 * i as u32 + side, face.twin[side as usize]));
+            sides.filter(|(h, twin)| h < twin).map(|(h, _)| h)
+        })
+    }
+
     pub(super) fn set_start(&mut self, h: u32, point: u32) {
         self.faces[(h >> 2) as usize].vertex[(h & 3) as usize] = point;
     }
@@ -177,10 +187,17 @@ impl Surface {
         self.points[point as usize].at.as_dvec3() * self.scale
     }
 
+    /// Where the corners of a face are; `map` would be a call of its own.
+    #[inline(always)]
+    pub(super) fn places(&self, face: usize) -> [DVec3; 3] {
+        let [a, b, c] = self.faces[face].corners();
+        [self.at(a), self.at(b), self.at(c)]
+    }
+
     /// The normal of a face, as long as twice its area.
     #[inline(always)]
     pub(super) fn normal(&self, face: usize) -> DVec3 {
-        let [a, b, c] = self.faces[face].corners().map(|point| self.at(point));
+        let [a, b, c] = self.places(face);
         (b - a).cross(c - a)
     }
 

@@ -1,10 +1,13 @@
 //! The faces of an original that are near some places, and which of them look along a normal.
 
 use crate::collapse::against::{Triangle, middle};
+use crate::collapse::around::Faces;
 use crate::collapse::boxes::Boxes;
 use crate::collapse::lattice::{Cells, Grid, Lattice};
 use crate::collapse::surface::Surface;
 use common::math::DVec3;
+use common::math::lanes::LANES;
+use common::simd::{self, dispatch};
 
 /// Cells along a side of a place.
 const CELLS: f64 = 3.0;
@@ -49,7 +52,7 @@ impl<'a> Witness<'a> {
         let faces: Vec<u32> =
             all.filter(|&face| meets(&coarse, &known, &original.cells(&coarse, face))).collect();
         let lattice = original.coarser(size / FINER).with_slots(SLOTS * faces.len());
-        let boxes = Boxes::new(lattice, faces.len(), |i| original.cells(&lattice, faces[i]));
+        let boxes = Boxes::new(lattice, faces.len(), |i| original.cells(&lattice, faces[i]), |_| true);
         Self { original: original.surface, coarse, known, faces, lattice, boxes }
     }
 
@@ -57,7 +60,7 @@ impl<'a> Witness<'a> {
     #[inline(always)]
     fn near(&self, low: DVec3, high: DVec3, mut what: impl FnMut(u32)) {
         if knows(&self.coarse, &self.known, &self.coarse.cells(low, high)) {
-            self.boxes.near(&self.lattice.cells(low, high), |_| false, |i| what(self.faces[i as usize]));
+            self.boxes.near(&self.lattice.cells(low, high), |i| what(self.faces[i as usize]));
         } else {
             self.far_off(&mut what);
         }
@@ -80,11 +83,21 @@ impl<'a> Witness<'a> {
 
     /// What is not farther than `reach` from a place, by how far it is.
     fn within(&self, p: DVec3, reach: f64) -> Vec<(f64, Triangle)> {
-        let measured = self.faces_near(p - reach, p + reach).into_iter().map(|face| {
-            let triangle = Triangle::of(self.original, face);
-            (triangle.square(p).sqrt(), triangle)
-        });
-        let mut near: Vec<_> = measured.filter(|(distance, _)| *distance <= reach).collect();
+        let found = self.faces_near(p - reach, p + reach);
+        let (mut half_edges, mut near) = (found.into_iter().map(|face| 4 * face), Vec::new());
+        loop {
+            let faces = Faces::of(self.original, &mut half_edges);
+            let squares = dispatch!(simd::level(), s => faces.nearest(s, self.original.scale, p)).squares;
+            for (square, face) in squares.into_iter().zip(faces.numbers).take(faces.count) {
+                let distance = square.sqrt();
+                if distance <= reach {
+                    near.push((distance, Triangle::of(self.original, face)));
+                }
+            }
+            if faces.count < LANES {
+                break;
+            }
+        }
         near.sort_by(|a, b| a.0.total_cmp(&b.0));
         near
     }
