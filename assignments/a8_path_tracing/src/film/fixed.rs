@@ -61,8 +61,8 @@ impl Batch {
         if !fits.all() {
             return false;
         }
-        for channel in 0..3 {
-            let x = f64::from(sample[channel]);
+        for (channel, x) in sample.iter().enumerate() {
+            let x = f64::from(*x);
             let high = (x + SHIFT) - SHIFT;
             self.high[channel] += high;
             self.low[channel] += x - high;

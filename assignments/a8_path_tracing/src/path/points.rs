@@ -107,10 +107,10 @@ impl PathTracer<'_> {
     ) -> bool {
         let mut leaving = [Leaving::Alone; LANES];
         let (mut matt, mut smooth) = (true, true);
-        for lane in 0..block.count {
-            leaving[lane] = self.leaving_at(block.material[lane], || points.point(lane));
-            matt &= matches!(leaving[lane], Leaving::Matt(_));
-            smooth &= matches!(leaving[lane], Leaving::Smooth { .. });
+        for (lane, leaving) in leaving.iter_mut().enumerate().take(block.count) {
+            *leaving = self.leaving_at(block.material[lane], || points.point(lane));
+            matt &= matches!(leaving, Leaving::Matt(_));
+            smooth &= matches!(leaving, Leaving::Smooth { .. });
         }
         if !(matt | smooth) {
             return false;
