@@ -13,6 +13,7 @@ use common::math::Interval;
 use common::ray::Ray;
 use common::shape::triangle_block::TriangleBlock;
 use common::simd::Simd;
+use std::ops::Range;
 
 /// What is known of a ray when the tree is asked.
 pub trait Known: Copy {
@@ -33,11 +34,11 @@ struct Asked<'r> {
 }
 
 impl Asked<'_> {
-    /// One more; they come in order.
+    /// Some more, one after the other; all come in order.
     #[inline(always)]
-    fn push(&mut self, number: usize) {
-        if self.first == number {
-            self.first += 1;
+    fn push(&mut self, numbers: Range<usize>) {
+        if self.first == numbers.start {
+            self.first = numbers.end;
             return;
         }
         if self.rays.is_empty() {
@@ -46,8 +47,8 @@ impl Asked<'_> {
             self.rays.extend_from_slice(&self.all[..self.first]);
             self.numbers.extend(0..self.first as u32);
         }
-        self.rays.push(self.all[number]);
-        self.numbers.push(number as u32);
+        self.rays.extend_from_slice(&self.all[numbers.clone()]);
+        self.numbers.extend(numbers.start as u32..numbers.end as u32);
     }
 }
 
@@ -103,6 +104,10 @@ impl Bvh<'_> {
             if self.is_passed_by(simd, crowd, interval) {
                 continue;
             }
+            if !any_beside && horizons.is_none() {
+                asked.push(first_of_crowd..first_of_crowd + crowd.len());
+                continue;
+            }
             for (rays, first) in crowd.chunks(RAYS).zip((first_of_crowd..).step_by(RAYS)) {
                 let mut entered = (1 << rays.len()) - 1;
                 if any_beside {
@@ -116,7 +121,7 @@ impl Bvh<'_> {
                     match horizons.map_or(Sky::Crowded, |horizons| horizons.sky(&rays[lane])) {
                         Sky::Open => {}
                         Sky::Few(block) => few(&mut known[first + lane], &rays[lane], block, c),
-                        Sky::Crowded => asked.push(first + lane),
+                        Sky::Crowded => asked.push(first + lane..first + lane + 1),
                     }
                 }
             }
