@@ -117,6 +117,12 @@ fn passes(node: &WideNode, rays: &Around, max: f32) -> bool {
     true
 }
 
+/// A box widened by the smallest step, as those of [`WideNode::set_box`] are.
+pub fn widened(bounds: &Bounds) -> Bounds {
+    let [min, max] = [bounds.min, bounds.max].map(|corner| corner.to_array());
+    Bounds { min: min.map(f32::next_down).into(), max: max.map(f32::next_up).into() }
+}
+
 /// A bit for every one of one to eight rays that may be inside of a box between `min` and its own
 /// entry of `last`, widened as for [`limit`](super::single::limit).
 #[inline(always)]

@@ -4,7 +4,7 @@
 //! or leave a triangle for good. Those that are left are put together, so that no lane is wasted.
 
 use super::abreast::RAYS;
-use super::aside::{CROWD, entering};
+use super::aside::{CROWD, entering, widened};
 use super::bundle::lanes_of;
 use super::horizon::{Horizons, Sky};
 use super::wide::Bvh;
@@ -97,7 +97,7 @@ impl Bvh<'_> {
         c: &mut Counters,
     ) -> Asked<'r> {
         let mut asked = Asked { all: rays, first: 0, rays: Vec::new(), numbers: Vec::new() };
-        let horizons = self.horizons_of(rays, interval);
+        let (horizons, around) = (self.horizons_of(rays, interval), widened(&self.bounds));
         // Where the tree is all there is, nearly all rays enter it.
         let any_beside = !self.balls.is_empty() || !self.geometry.sheets().is_empty();
         for (crowd, first_of_crowd) in rays.chunks(CROWD).zip((0..).step_by(CROWD)) {
@@ -115,7 +115,7 @@ impl Bvh<'_> {
                     for (last, known) in last.iter_mut().zip(&known[first..first + rays.len()]) {
                         *last = known.last(interval.max);
                     }
-                    entered &= entering(simd, rays, &self.bounds, interval.min, &last);
+                    entered &= entering(simd, rays, &around, interval.min, &last);
                 }
                 for lane in lanes_of(entered) {
                     match horizons.map_or(Sky::Crowded, |horizons| horizons.sky(&rays[lane])) {

@@ -7,30 +7,19 @@
 use super::abreast::{Abreast, Firsts, RAYS};
 use super::ball_hits::{all_met, any_of, nearest_of, places_of};
 use super::bundle::lanes_of;
+use super::cull::{Beams, Targets};
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit, SolidShape};
-use common::math::lanes::{each, load, subtract};
-use common::math::{Interval, Vec3};
+use common::math::Interval;
+use common::math::lanes::each;
 use common::ray::Ray;
-use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use common::simd::{Simd, SimdBase, SimdMask, f32x8};
 
 /// More balls are faster in the tree; a multiple of eight.
 pub const MOST: usize = 16;
 
-/// By how much a ball is made larger, as a part of all coordinates that the test works with. With
-/// u = 2⁻²⁴ centre and radius are off by u, and so is the way from the centre: together less than 2⁻²¹.
-const ROOM: f32 = 1.0 / (1 << 20) as f32;
-
-/// What the products may lose, as a part of |from|²·|d|²: each dot product has at most 3u of the
-/// lengths of both its factors, twice over where it is squared; with the roundings of the products
-/// themselves less than 20u.
-const LOST: f32 = 1.0 / (1 << 18) as f32;
-
 /// As many rays are asked side by side sooner than one by one.
 const ENOUGH: u32 = 3;
-
-/// What squares may lose below the range of normal numbers.
-const FLOOR: f32 = 16.0 * f32::MIN_POSITIVE;
 
 /// The balls of a scene, by their place among its solids.
 pub struct Balls {
@@ -40,76 +29,6 @@ pub struct Balls {
     /// Sum of the magnitudes of centre and radius.
     size: [f32; MOST],
     count: usize,
-}
-
-/// Rays in lanes: many, or one in all of them.
-struct Beams<S: Simd> {
-    origin: [f32x8<S>; 3],
-    direction: [f32x8<S>; 3],
-    /// Sum of the magnitudes of the origin.
-    size: f32x8<S>,
-    /// Squares of the directions' lengths.
-    length_squared: f32x8<S>,
-}
-
-/// Balls in lanes: many, or one in all of them.
-struct Targets<S: Simd> {
-    center: [f32x8<S>; 3],
-    radius: f32x8<S>,
-    size: f32x8<S>,
-}
-
-impl<S: Simd> Beams<S> {
-    #[inline(always)]
-    fn new(origin: [f32x8<S>; 3], direction: [f32x8<S>; 3]) -> Self {
-        let [x, y, z] = origin;
-        Self {
-            origin,
-            direction,
-            size: x.abs() + y.abs() + z.abs(),
-            length_squared: dot(direction, direction),
-        }
-    }
-
-    #[inline(always)]
-    fn side_by_side(simd: S, rays: &Abreast) -> Self {
-        Self::new(load(simd, &rays.origin), load(simd, &rays.direction))
-    }
-
-    #[inline(always)]
-    fn everywhere(simd: S, ray: &Ray) -> Self {
-        let of = |v: Vec3| each([0, 1, 2], |axis: usize| f32x8::splat(simd, v[axis]));
-        Self::new(of(ray.origin), of(ray.direction))
-    }
-
-    /// A bit for every lane whose ray may meet the ball; what is behind it is no matter if only
-    /// what is `ahead` counts.
-    #[inline(always)]
-    fn meeting(&self, simd: S, balls: &Targets<S>, ahead: bool) -> u32 {
-        let of = |x: f32| f32x8::splat(simd, x);
-        let from = subtract(self.origin, balls.center);
-        let reach = balls.radius + (self.size + balls.size) * of(ROOM);
-        let reach_squared = reach.mul_add(reach, of(FLOOR));
-        let (away, distance_squared) = (dot(from, self.direction), dot(from, from));
-        // |from|²·|d|² − (from·d)² is |d|² times the squared distance of the line from the centre.
-        // Fused or not, this only says who is asked.
-        let whole = distance_squared * self.length_squared;
-        let aside = whole.mul_sub(of(1.0 - LOST), away * away);
-        // Written so that NaN is in doubt, and what became infinite, too.
-        let mut passed = aside.simd_gt(reach_squared.mul_add(self.length_squared, of(FLOOR)))
-            & whole.simd_lt(of(f32::INFINITY));
-        if ahead {
-            passed |= distance_squared.simd_gt(reach_squared) & away.simd_gt(of(0.0));
-        }
-        let passed = passed.to_bitmask();
-        !passed as u32 & 0xff
-    }
-}
-
-/// Whatever the order of adding: this only says who is asked.
-#[inline(always)]
-fn dot<S: Simd>([ax, ay, az]: [f32x8<S>; 3], [bx, by, bz]: [f32x8<S>; 3]) -> f32x8<S> {
-    ax.mul_add(bx, ay.mul_add(by, az * bz))
 }
 
 impl Balls {

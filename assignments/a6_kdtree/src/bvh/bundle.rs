@@ -1,7 +1,7 @@
 //! Up to eight rays that run alongside each other through the tree together.
 
 use super::frustum::Frustum;
-use super::packet::{Lanes, Packet, RAYS};
+use super::packet::{Lanes, Packet, RAYS, limits};
 use super::single::limit;
 use super::stack::Stack;
 use super::walk::{Visit, Way, walk};
@@ -11,7 +11,7 @@ use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::Interval;
 use common::ray::Ray;
-use common::simd::{Simd, SimdBase, f32x8};
+use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// Rays that go together.
 pub struct Bundle<'p> {
@@ -44,6 +44,40 @@ impl Bundle<'_> {
             *limit = if is_asked { *limit } else { f32::NEG_INFINITY };
         }
         limits
+    }
+}
+
+impl Packet {
+    /// For each ray the [`limit`](super::single::limit) of its t.
+    #[inline(always)]
+    pub fn limits<S: Simd>(&self, simd: S, t: &Lanes) -> Lanes {
+        let reach = f32x8::from_slice(simd, &self.reach);
+        *limits(simd, f32x8::from_slice(simd, t), reach)
+    }
+
+    /// A bit for every ray that may meet the box of a node's child between `min` and its own
+    /// entry of `max`. All rays must have the directions' signs `backward`.
+    #[inline(always)]
+    pub fn rays_meeting<S: Simd>(
+        &self,
+        simd: S,
+        node: &WideNode,
+        child: usize,
+        backward: u32,
+        min: f32,
+        max: &Lanes,
+    ) -> u32 {
+        let mut near = f32x8::splat(simd, min);
+        let mut far = f32x8::from_slice(simd, max);
+        for axis in 0..3 {
+            let first = (backward >> axis & 1) as usize;
+            let inverse = f32x8::from_slice(simd, &self.inverse[axis]);
+            let enter = f32x8::splat(simd, node.side[axis][first][child]);
+            let leave = f32x8::splat(simd, node.side[axis][first ^ 1][child]);
+            near = near.max(enter.mul_sub(inverse, f32x8::from_slice(simd, &self.near_offset[axis])));
+            far = far.min(leave.mul_sub(inverse, f32x8::from_slice(simd, &self.far_offset[axis])));
+        }
+        near.simd_le(far).to_bitmask() as u32
     }
 }
 

@@ -6,12 +6,12 @@ use super::abreast::pad;
 use super::beam::Beam;
 use super::single::ROUNDING;
 use super::slabs::{ORDINARY, Slabs};
-use super::wide::{WIDTH, WideNode};
+use super::wide::WIDTH;
 use common::math::lanes::store;
 use common::math::{Bounds, Vec3};
 use common::ray::Ray;
 use common::shape::filter::{Errors, Filter, MARGIN};
-use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use common::simd::{Select, Simd, SimdBase, SimdMask, f32x8};
 
 /// A bit for each ray.
 pub const EVERY: u32 = (1 << RAYS) - 1;
@@ -35,7 +35,7 @@ pub struct Packet<const N: usize = RAYS> {
     /// … and smaller.
     pub far_offset: [Lanes<N>; 3],
     /// How wrong tests of triangles may be; see [`Errors`].
-    reach: Lanes<N>,
+    pub reach: Lanes<N>,
     weight: Lanes<N>,
     along: Lanes<N>,
     depth: Lanes<N>,
@@ -214,40 +214,6 @@ impl<const N: usize> Packet<N> {
     #[inline(always)]
     pub fn margin(&self, lane: usize) -> f32 {
         self.reach[lane] * MARGIN
-    }
-}
-
-impl Packet {
-    /// For each ray the [`limit`](super::single::limit) of its t.
-    #[inline(always)]
-    pub fn limits<S: Simd>(&self, simd: S, t: &Lanes) -> Lanes {
-        let reach = f32x8::from_slice(simd, &self.reach);
-        *limits(simd, f32x8::from_slice(simd, t), reach)
-    }
-
-    /// A bit for every ray that may meet the box of a node's child between `min` and its own
-    /// entry of `max`. All rays must have the directions' signs `backward`.
-    #[inline(always)]
-    pub fn rays_meeting<S: Simd>(
-        &self,
-        simd: S,
-        node: &WideNode,
-        child: usize,
-        backward: u32,
-        min: f32,
-        max: &Lanes,
-    ) -> u32 {
-        let mut near = f32x8::splat(simd, min);
-        let mut far = f32x8::from_slice(simd, max);
-        for axis in 0..3 {
-            let first = (backward >> axis & 1) as usize;
-            let inverse = f32x8::from_slice(simd, &self.inverse[axis]);
-            let enter = f32x8::splat(simd, node.side[axis][first][child]);
-            let leave = f32x8::splat(simd, node.side[axis][first ^ 1][child]);
-            near = near.max(enter.mul_sub(inverse, f32x8::from_slice(simd, &self.near_offset[axis])));
-            far = far.min(leave.mul_sub(inverse, f32x8::from_slice(simd, &self.far_offset[axis])));
-        }
-        near.simd_le(far).to_bitmask() as u32
     }
 }
 
