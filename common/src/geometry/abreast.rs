@@ -82,7 +82,7 @@ impl<S: Simd> Abreast<S> {
 
 impl Geometry {
     /// What a primitive is, and its material.
-    #[inline]
+    #[inline(always)]
     pub fn round(&self, primitive: u32) -> (Round<'_>, u32) {
         let (run, index) = self.locate(primitive);
         let round = match run.kind {

@@ -34,21 +34,39 @@ struct Asked<'r> {
 }
 
 impl Asked<'_> {
-    /// Some more, one after the other; all come in order.
+    /// One more; all come in order.
     #[inline(always)]
-    fn push(&mut self, numbers: Range<usize>) {
+    fn push(&mut self, number: usize) {
+        if self.first == number {
+            self.first += 1;
+            return;
+        }
+        self.begin();
+        self.rays.push(self.all[number]);
+        self.numbers.push(number as u32);
+    }
+
+    /// Some more, one after the other.
+    #[inline(always)]
+    fn push_all(&mut self, numbers: Range<usize>) {
         if self.first == numbers.start {
             self.first = numbers.end;
             return;
         }
+        self.begin();
+        self.rays.extend_from_slice(&self.all[numbers.clone()]);
+        self.numbers.extend(numbers.start as u32..numbers.end as u32);
+    }
+
+    /// From now on they are not only counted.
+    #[inline(always)]
+    fn begin(&mut self) {
         if self.rays.is_empty() {
             self.rays.reserve(self.all.len());
             self.numbers.reserve(self.all.len());
             self.rays.extend_from_slice(&self.all[..self.first]);
             self.numbers.extend(0..self.first as u32);
         }
-        self.rays.extend_from_slice(&self.all[numbers.clone()]);
-        self.numbers.extend(numbers.start as u32..numbers.end as u32);
     }
 }
 
@@ -105,7 +123,7 @@ impl Bvh<'_> {
                 continue;
             }
             if !any_beside && horizons.is_none() {
-                asked.push(first_of_crowd..first_of_crowd + crowd.len());
+                asked.push_all(first_of_crowd..first_of_crowd + crowd.len());
                 continue;
             }
             for (rays, first) in crowd.chunks(RAYS).zip((first_of_crowd..).step_by(RAYS)) {
@@ -121,7 +139,7 @@ impl Bvh<'_> {
                     match horizons.map_or(Sky::Crowded, |horizons| horizons.sky(&rays[lane])) {
                         Sky::Open => {}
                         Sky::Few(block) => few(&mut known[first + lane], &rays[lane], block, c),
-                        Sky::Crowded => asked.push(first + lane..first + lane + 1),
+                        Sky::Crowded => asked.push(first + lane),
                     }
                 }
             }
