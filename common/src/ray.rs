@@ -2,7 +2,7 @@
 
 use crate::math::lanes::{LANES, Vectors, turn};
 use crate::math::{DVec3, Vec3};
-use crate::simd::{Simd, SimdBase, f32x4, f32x8};
+use crate::simd::{Simd, SimdBase, f32x4, f32x8, mask32x8};
 
 /// A half line (or line, if the interval of a query says so): points origin + t·direction.
 ///
@@ -49,6 +49,23 @@ impl Ray {
     #[inline]
     pub fn is_usable(&self) -> bool {
         self.origin.is_finite() && self.direction.is_finite() && self.direction != Vec3::ZERO
+    }
+
+    /// [`Ray::is_usable`] of eight rays side by side.
+    #[inline(always)]
+    pub fn are_usable<S: Simd>(
+        simd: S,
+        origin: Vectors<f32x8<S>>,
+        direction: Vectors<f32x8<S>>,
+    ) -> mask32x8<S> {
+        let zero = f32x8::splat(simd, 0.0);
+        let (mut nothing, mut step) = (zero, zero);
+        for axis in 0..3 {
+            // 0 of what is finite, else NaN.
+            nothing += origin[axis] * zero + direction[axis] * zero;
+            step = step.max(direction[axis].abs());
+        }
+        nothing.simd_eq(zero) & step.simd_gt(zero)
     }
 
     /// Origins and directions of eight rays side by side. What is beside each other in memory is

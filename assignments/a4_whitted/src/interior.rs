@@ -14,8 +14,6 @@ pub struct Interior {
     pub body: Body,
     /// Whether all light comes from outside.
     pub dark: bool,
-    /// Index of the material that its surface is made of.
-    material: u32,
 }
 
 /// Whether a point is outside a box.
@@ -61,7 +59,7 @@ impl Whitted<'_> {
         }
         let body = self.accel.geometry().convex_body(surface.primitive)?;
         let dark = all_outside(lamps, self.light.scene, &body.bounds);
-        *seen = Some(Interior { body, dark, material: surface.material });
+        *seen = Some(Interior { body, dark });
         *seen
     }
 
@@ -73,7 +71,7 @@ impl Whitted<'_> {
         if !self.rules.skip_known || !interior.dark || !self.accel.geometry().is_hollow(surface.primitive) {
             return None;
         }
-        let material = self.scene.plain(interior.material)?;
+        let material = self.scene.plain(surface.material)?;
         let same_at_any_distance = material.absorption == Vec3::ZERO;
         same_at_any_distance.then(|| match self.light.shade_back {
             true => self.light.own(&Mixture::Plain(material)),

@@ -2,7 +2,7 @@
 
 use common::geometry::Hit;
 use common::math::Vec3;
-use common::math::lanes::store;
+use common::math::lanes::{Vectors, store};
 use common::ray::Ray;
 use common::simd::{Select, Simd, SimdBase, f32x8, u32x8};
 
@@ -23,15 +23,7 @@ impl Abreast {
     /// One to eight rays; unused places hold rays without a direction, which hit nothing.
     #[inline(always)]
     pub fn of<S: Simd>(simd: S, rays: &[Ray]) -> Self {
-        let padded;
-        let rays = match rays.first_chunk() {
-            Some(all) => all,
-            None => {
-                padded = pad(rays, Ray::new(Vec3::ZERO, Vec3::ZERO));
-                &padded
-            }
-        };
-        let [origin, direction] = Ray::columns(simd, rays.each_ref());
+        let [origin, direction] = columns(simd, rays, Ray::new(Vec3::ZERO, Vec3::ZERO));
         let mut home = [Ray::ANYWHERE; RAYS];
         for (home, ray) in home.iter_mut().zip(rays) {
             *home = ray.home;
@@ -70,12 +62,20 @@ impl Firsts {
     }
 }
 
-/// Fewer rays and as many of another as make eight.
+/// [`Ray::columns`] of one to eight rays; unused places hold another.
 #[inline(always)]
-pub fn pad(rays: &[Ray], filler: Ray) -> [Ray; RAYS] {
-    let mut padded = [filler; RAYS];
-    padded[..rays.len()].copy_from_slice(rays);
-    padded
+pub fn columns<S: Simd>(simd: S, rays: &[Ray], filler: Ray) -> [Vectors<f32x8<S>>; 2] {
+    let padded;
+    let rays: &[Ray; RAYS] = match rays.first_chunk() {
+        Some(all) => all,
+        None => {
+            let mut some = [filler; RAYS];
+            some[..rays.len()].copy_from_slice(rays);
+            padded = some;
+            &padded
+        }
+    };
+    Ray::columns(simd, rays.each_ref())
 }
 
 #[cfg(test)]

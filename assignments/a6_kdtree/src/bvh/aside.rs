@@ -5,7 +5,7 @@
 //! while O₋ + t·D₋ ≤ B₊ and O₊ + t·D₊ ≥ B₋, so from one t to another; if no t is left after all
 //! axes, no ray of them meets the box. Signs of directions do not matter.
 
-use super::abreast::pad;
+use super::abreast::columns;
 use super::packet::{Lanes, limits};
 use super::slabs::{ORDINARY, Slabs};
 use super::wide::{Bvh, WIDTH, WideNode};
@@ -127,15 +127,7 @@ pub fn widened(bounds: &Bounds) -> Bounds {
 /// entry of `last`, widened as for [`limit`](super::single::limit).
 #[inline(always)]
 pub fn entering<S: Simd>(simd: S, rays: &[Ray], bounds: &Bounds, min: f32, last: &Lanes) -> u32 {
-    let padded;
-    let rays = match rays.first_chunk() {
-        Some(all) => all,
-        None => {
-            padded = pad(rays, rays[0]);
-            &padded
-        }
-    };
-    let [origin, direction] = Ray::columns(simd, rays.each_ref());
+    let [origin, direction] = columns(simd, rays, rays[0]);
     let of = |x: f32| f32x8::splat(simd, x);
     let (mut near, mut far) = (of(min), of(f32::INFINITY));
     let (mut reach, mut step) = (of(0.0), of(0.0));

@@ -34,39 +34,37 @@ struct Asked<'r> {
 }
 
 impl Asked<'_> {
-    /// One more; all come in order.
+    /// One more; all come in order. A slice of one would be copied by a call.
     #[inline(always)]
     fn push(&mut self, number: usize) {
-        if self.first == number {
-            self.first += 1;
-            return;
+        if !self.is_counted(&(number..number + 1)) {
+            self.rays.push(self.all[number]);
+            self.numbers.push(number as u32);
         }
-        self.begin();
-        self.rays.push(self.all[number]);
-        self.numbers.push(number as u32);
     }
 
     /// Some more, one after the other.
     #[inline(always)]
     fn push_all(&mut self, numbers: Range<usize>) {
-        if self.first == numbers.start {
-            self.first = numbers.end;
-            return;
+        if !self.is_counted(&numbers) {
+            self.rays.extend_from_slice(&self.all[numbers.clone()]);
+            self.numbers.extend(numbers.start as u32..numbers.end as u32);
         }
-        self.begin();
-        self.rays.extend_from_slice(&self.all[numbers.clone()]);
-        self.numbers.extend(numbers.start as u32..numbers.end as u32);
     }
 
-    /// From now on they are not only counted.
+    /// Counts some if all before them are asked; otherwise those that were counted are put down.
     #[inline(always)]
-    fn begin(&mut self) {
-        if self.rays.is_empty() {
+    fn is_counted(&mut self, numbers: &Range<usize>) -> bool {
+        let counts = self.first == numbers.start;
+        if counts {
+            self.first = numbers.end;
+        } else if self.rays.is_empty() {
             self.rays.reserve(self.all.len());
             self.numbers.reserve(self.all.len());
             self.rays.extend_from_slice(&self.all[..self.first]);
             self.numbers.extend(0..self.first as u32);
         }
+        counts
     }
 }
 
@@ -117,18 +115,18 @@ impl Bvh<'_> {
         let mut asked = Asked { all: rays, first: 0, rays: Vec::new(), numbers: Vec::new() };
         let (horizons, around) = (self.horizons_of(rays, interval), widened(&self.bounds));
         // Where the tree is all there is, nearly all rays enter it.
-        let any_beside = !self.balls.is_empty() || !self.geometry.sheets().is_empty();
+        let stands_alone = self.stands_alone();
         for (crowd, first_of_crowd) in rays.chunks(CROWD).zip((0..).step_by(CROWD)) {
             if self.is_passed_by(simd, crowd, interval) {
                 continue;
             }
-            if !any_beside && horizons.is_none() {
+            if stands_alone && horizons.is_none() {
                 asked.push_all(first_of_crowd..first_of_crowd + crowd.len());
                 continue;
             }
             for (rays, first) in crowd.chunks(RAYS).zip((first_of_crowd..).step_by(RAYS)) {
                 let mut entered = (1 << rays.len()) - 1;
-                if any_beside {
+                if !stands_alone {
                     let mut last = [f32::NEG_INFINITY; RAYS];
                     for (last, known) in last.iter_mut().zip(&known[first..first + rays.len()]) {
                         *last = known.last(interval.max);

@@ -32,10 +32,7 @@ pub fn all_met<S: Simd>(
     };
     let of = |x: f64| f64x8::splat(simd, x);
     let (origin, direction) = (load(simd, &rays.origin), load(simd, &rays.direction));
-    let nothing = f32x8::splat(simd, 0.0);
-    // 0 of what is finite, else NaN; and without a direction there is no closest point.
-    let [x, y, z] = each([0, 1, 2], |axis: usize| origin[axis] * nothing + direction[axis] * nothing);
-    let finite = (x + y + z).simd_eq(nothing);
+    let usable = Ray::are_usable(simd, origin, direction);
     let origin = each(origin, |x| widen(simd, x));
     let direction = each(direction, |x| widen(simd, x));
     let length_squared = sum3(multiply(direction, direction));
@@ -57,7 +54,7 @@ pub fn all_met<S: Simd>(
         (t.simd_gt(min) & t.simd_lt(max)).select(t, instead)
     };
     let t = counts(closest - half_chord, counts(closest + half_chord, none));
-    (finite.select(t, none), solid.primitive)
+    (usable.select(t, none), solid.primitive)
 }
 
 /// The better of `best` and the first hit among solids at these places.

@@ -38,7 +38,8 @@ impl Bundle<'_> {
     /// Where boxes matter to each ray, if hits matter until `last`; to none that is not asked for.
     #[inline(always)]
     fn limits<S: Simd>(&self, simd: S, last: &Lanes) -> Lanes {
-        let mut limits = self.packet.limits(simd, last);
+        let reach = f32x8::from_slice(simd, &self.packet.reach);
+        let mut limits = *limits(simd, f32x8::from_slice(simd, last), reach);
         for (lane, limit) in limits.iter_mut().enumerate() {
             let is_asked = self.asked >> lane & 1 == 1;
             *limit = if is_asked { *limit } else { f32::NEG_INFINITY };
@@ -48,13 +49,6 @@ impl Bundle<'_> {
 }
 
 impl Packet {
-    /// For each ray the [`limit`](super::single::limit) of its t.
-    #[inline(always)]
-    pub fn limits<S: Simd>(&self, simd: S, t: &Lanes) -> Lanes {
-        let reach = f32x8::from_slice(simd, &self.reach);
-        *limits(simd, f32x8::from_slice(simd, t), reach)
-    }
-
     /// A bit for every ray that may meet the box of a node's child between `min` and its own
     /// entry of `max`. All rays must have the directions' signs `backward`.
     #[inline(always)]

@@ -125,19 +125,20 @@ impl Horizons {
         let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
         let rise = sides[0].normal.dot(direction);
         let side = &sides[usize::from(rise < 0.0)];
-        if side.above == Above::Many {
-            return Sky::Crowded;
-        }
+        let block = match side.above {
+            Above::Many => return Sky::Crowded,
+            Above::None => None,
+            Above::Block(index) => Some(index),
+        };
         let height = side.normal.dot(origin) - side.offset;
         let nothing = NOTHING * self.size.max(origin.abs().max_element());
         // Written so that NaN is asked about.
         let goes_away = rise.abs() > NOTHING * direction.abs().max_element() && height > 4.0 * nothing;
-        match side.above {
+        match block {
             _ if !goes_away => Sky::Crowded,
-            Above::None => Sky::Open,
-            Above::Block(_) if height > side.top + 4.0 * nothing => Sky::Open,
-            Above::Block(index) => Sky::Few(&self.blocks[index as usize]),
-            Above::Many => Sky::Crowded,
+            None => Sky::Open,
+            Some(_) if height > side.top + 4.0 * nothing => Sky::Open,
+            Some(index) => Sky::Few(&self.blocks[index as usize]),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 pub use super::abreast::RAYS;
 
-use super::abreast::pad;
+use super::abreast::columns;
 use super::beam::Beam;
 use super::single::ROUNDING;
 use super::slabs::{ORDINARY, Slabs};
@@ -50,17 +50,9 @@ impl Packet {
     /// Prepares one to eight rays for a tree within `bounds`; unused places repeat the last.
     #[inline(always)]
     pub fn of<S: Simd>(simd: S, rays: &[Ray], bounds: &Bounds) -> Self {
-        let padded;
-        let rays = match rays.first_chunk() {
-            Some(all) => all,
-            None => {
-                padded = pad(rays, rays[rays.len() - 1]);
-                &padded
-            }
-        };
-        let [origin, direction] = Ray::columns(simd, rays.each_ref());
+        let [origin, direction] = columns(simd, rays, rays[rays.len() - 1]);
         let zero = f32x8::splat(simd, 0.0);
-        let (mut far, mut step, mut nothing) = (zero, zero, zero);
+        let (mut far, mut step) = (zero, zero);
         let mut packet = Self { origin: store(origin), direction: store(direction), ..Self::EMPTY };
         for axis in 0..3 {
             let (o, d) = (origin[axis], direction[axis]);
@@ -73,10 +65,8 @@ impl Packet {
             packet.backward[axis] = slab.inverse.simd_lt(zero).to_bitmask() as u32;
             far = far.max(slab.far);
             step = step.max(d.abs());
-            // 0 of what is finite, else NaN.
-            nothing += o * zero + d * zero;
         }
-        packet.usable = (nothing.simd_eq(zero) & step.simd_gt(zero)).to_bitmask() as u32;
+        packet.usable = Ray::are_usable(simd, origin, direction).to_bitmask() as u32;
         let [reach, weight, along, depth, floor] = Errors::abreast(simd, far, step);
         reach.store_slice(&mut packet.reach);
         weight.store_slice(&mut packet.weight);

@@ -28,17 +28,10 @@ impl<S: Simd> Widened<S> {
     #[inline(always)]
     fn of(simd: S, rays: &Abreast) -> Self {
         let (origin, direction) = (load(simd, &rays.origin), load(simd, &rays.direction));
-        let zero = f32x8::splat(simd, 0.0);
-        let (mut nothing, mut step) = (zero, zero);
-        for axis in 0..3 {
-            // 0 of what is finite, else NaN.
-            nothing += origin[axis] * zero + direction[axis] * zero;
-            step += direction[axis].abs();
-        }
         Self {
             origin: each(origin, |x| widen(simd, x)),
             direction: each(direction, |x| widen(simd, x)),
-            usable: nothing.simd_eq(zero) & step.simd_gt(zero),
+            usable: Ray::are_usable(simd, origin, direction),
             home: u32x8::from_slice(simd, &rays.home),
         }
     }
@@ -89,27 +82,22 @@ pub fn all_leave(sheets: &[Sheet], rays: &[Ray]) -> bool {
     }
 }
 
-/// The first hit of each of up to eight rays among planes and discs, as
-/// [`Geometry::nearest_sheet`] finds it.
+/// Takes the better of what is there and the first hit of each of up to eight rays among planes and
+/// discs, as [`Geometry::nearest_sheet`] finds it.
 #[inline(always)]
 pub fn nearest<S: Simd>(
     simd: S,
     geometry: &Geometry,
     (rays, abreast): (&[Ray], &Abreast),
     interval: Interval,
+    firsts: &mut Firsts,
     c: &mut Counters,
-) -> Firsts {
+) {
     let wide = Widened::of(simd, abreast);
-    let (mut first, mut number) = (f32x8::splat(simd, f32::INFINITY), u32x8::splat(simd, 0));
     for (index, sheet) in geometry.sheets().iter().enumerate() {
-        let t = wide.meet(simd, rays, geometry, index, interval);
         c.intersections += u64::from(wide.asked(simd, sheet).to_bitmask().count_ones());
-        // Sheets come in order of their numbers, so that an equal t changes nothing.
-        let nearer = t.simd_lt(first);
-        first = nearer.select(t, first);
-        number = nearer.select(u32x8::splat(simd, sheet.primitive), number);
+        firsts.take(simd, wide.meet(simd, rays, geometry, index, interval), sheet.primitive);
     }
-    Firsts { t: *first, primitive: *number }
 }
 
 /// Whether each of up to eight rays hits any plane or disc, as [`Geometry::any_sheet`] finds it.

@@ -55,7 +55,7 @@ impl Bvh<'_> {
         hits: &mut [Option<Hit>],
         c: &mut Counters,
     ) {
-        if self.geometry.sheets().is_empty() && self.balls.is_empty() {
+        if self.stands_alone() {
             return hits.fill(None);
         }
         for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
@@ -65,10 +65,10 @@ impl Bvh<'_> {
                 continue;
             }
             let abreast = Abreast::of(simd, rays);
-            let mut firsts = match all_leave {
-                true => Firsts::NONE,
-                false => sheets::nearest(simd, self.geometry, (rays, &abreast), interval, c),
-            };
+            let mut firsts = Firsts::NONE;
+            if !all_leave {
+                sheets::nearest(simd, self.geometry, (rays, &abreast), interval, &mut firsts, c);
+            }
             self.balls.nearest(simd, self.geometry, (rays, &abreast), interval, &mut firsts, c);
             for (lane, hit) in hits.iter_mut().enumerate().take(RAYS) {
                 *hit = firsts.hit(lane);
@@ -86,7 +86,7 @@ impl Bvh<'_> {
         hit: &mut [bool],
         c: &mut Counters,
     ) {
-        if self.geometry.sheets().is_empty() && self.balls.is_empty() {
+        if self.stands_alone() {
             return hit.fill(false);
         }
         for (rays, hit) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {

@@ -115,6 +115,12 @@ pub struct Bvh<'g> {
 const LARGE: usize = 8192;
 
 impl Bvh<'_> {
+    /// Whether nothing stands beside the tree, no plane and no ball.
+    #[inline(always)]
+    pub(super) fn stands_alone(&self) -> bool {
+        self.geometry.sheets().is_empty() && self.balls.is_empty()
+    }
+
     /// Whether rays should ask the memory ahead. What fits a processor's caches arrives in time
     /// anyway.
     #[inline(always)]

@@ -38,7 +38,7 @@ impl Columns<f64, 6> {
 /// Eight edges, seen from their starts.
 pub(super) struct Edges {
     /// Start and end of each.
-    pub ends: [[u32; 2]; LANES],
+    ends: [[u32; 2]; LANES],
     along: Columns<f64, 3>,
 }
 
@@ -54,6 +54,20 @@ impl Edges {
             along.set(lane, &(to - from).to_array());
         }
         Self { ends, along }
+    }
+
+    /// What is known of the starts and of the ends.
+    #[inline(always)]
+    pub(super) fn of_ends<'a, T: Copy + Default + 'a, const N: usize>(
+        &self,
+        of: impl Fn(u32) -> &'a [T; N],
+    ) -> [Columns<T, N>; 2] {
+        let (mut starts, mut ends) = (Columns::new(), Columns::new());
+        for (lane, [start, end]) in self.ends.into_iter().enumerate() {
+            starts.set(lane, of(start));
+            ends.set(lane, of(end));
+        }
+        [starts, ends]
     }
 
     /// From start to end.

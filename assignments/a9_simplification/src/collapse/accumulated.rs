@@ -9,7 +9,7 @@
 //! Each is kept about the point that it belongs to, not about the origin: numbers stay small where
 //! distances are, and nothing cancels far from the origin.
 
-use crate::collapse::abreast::{Columns, Edges, Symmetrics, price_all};
+use crate::collapse::abreast::{Edges, Symmetrics, price_all};
 use crate::collapse::banded::Banded;
 use crate::collapse::cost::{Cost, Merge, Offer, cheapest_by_form, without_bias};
 use crate::collapse::memoryless::{line, plane};
@@ -132,11 +132,7 @@ impl Accumulated {
     #[inline(always)]
     fn price_eight<S: Simd>(&self, simd: S, surface: &Surface, edges: &[u32; LANES]) -> [f64; LANES] {
         let edges = Edges::new(surface, edges);
-        let (mut p, mut q) = (Columns::new(), Columns::new());
-        for (lane, [start, end]) in edges.ends.into_iter().enumerate() {
-            p.set(lane, &self.of[start as usize].0);
-            q.set(lane, &self.of[end as usize].0);
-        }
+        let [p, q] = edges.of_ends(|point| &self.of[point as usize].0);
         let edge = edges.along(simd);
         let two = f64x8::splat(simd, 2.0);
         let sum = |i: usize| widen(simd, f32x8::from_slice(simd, &p.0[i]) + f32x8::from_slice(simd, &q.0[i]));

@@ -5,7 +5,7 @@
 //! A step changes the triangles of the points around it; what they lose and gain is known from
 //! checking the step, and so nothing is ever summed up anew.
 
-use crate::collapse::abreast::{Columns, Edges, price_all};
+use crate::collapse::abreast::{Edges, price_all};
 use crate::collapse::cost::{Cost, LEAST_RANK, Merge, Offer, cheapest};
 use crate::collapse::quadric::Symmetric;
 use crate::collapse::queue::Queue;
@@ -90,11 +90,7 @@ impl Memoryless {
     #[inline(always)]
     fn price_eight<S: Simd>(&self, simd: S, surface: &Surface, edges: &[u32; LANES]) -> [f64; LANES] {
         let edges = Edges::new(surface, edges);
-        let (mut p, mut q) = (Columns::new(), Columns::new());
-        for (lane, [start, end]) in edges.ends.into_iter().enumerate() {
-            p.set(lane, &self.of[start as usize].0);
-            q.set(lane, &self.of[end as usize].0);
-        }
+        let [p, q] = edges.of_ends(|point| &self.of[point as usize].0);
         let edge = edges.along(simd);
         let [a, b] = [p.matrices(simd), q.matrices(simd)];
         let sum = a.plus(&b);
