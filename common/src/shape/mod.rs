@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | [`triangle`] | corners in world space, `f32` | sign-exact edge functions and a tie rule |
 //! | [`triangle_block`], [`filter`] | eight triangles at a time | knows what is surely missed and surely hit, decides nothing else |
+//! | [`unfolded`] | the same for eight rays at a time | knows which lines surely pass outside |
 //! | [`sphere`] | centre and radius in world space, `f64` | the distance of closest approach |
 //! | [`ellipsoid`] | a sphere under a general affine map | the sphere test in its own space |
 //! | [`plane`] | unit normal and offset in world space, `f64` | one division |
@@ -17,6 +18,7 @@ pub mod plane;
 pub mod sphere;
 pub mod triangle;
 pub mod triangle_block;
+pub mod unfolded;
 
 use crate::math::{Bounds, DVec3, dot3};
 use crate::ray::Ray;

@@ -123,17 +123,12 @@ impl TriangleBlock {
         let e2 = minus(self.corner(simd, 2), a);
         let c = minus(a, splat(simd, filter.origin));
         let d = splat(simd, filter.direction);
-        let r = cross(c, d);
-        let (v1, v2) = (dot(r, e2), dot(r, e1));
         let n = cross(e2, e1);
         let along = dot(n, d);
         let edge = size(e1).max(size(e2));
         let floor = f32x8::splat(simd, filter.errors.floor);
         let weight_error = edge.mul_add(f32x8::splat(simd, filter.errors.weight), floor);
-        // A quarter, because the third weight may be wrong by four times as much.
-        let v0 = (along - (v1 + v2)) * f32x8::splat(simd, 0.25);
-        let low = v1.min(v2).min(v0);
-        let high = v1.max(v2).max(v0);
+        let (low, high) = weights(simd, c, d, [e1, e2], along);
         // All weights of one sign: inside; certainly mixed signs: outside.
         let outside = high.min(-low).simd_gt(weight_error);
         // Of most blocks nothing is left here.
@@ -163,7 +158,7 @@ impl TriangleBlock {
     }
 
     #[inline(always)]
-    fn corner<S: Simd>(&self, simd: S, vertex: usize) -> [f32x8<S>; 3] {
+    pub(super) fn corner<S: Simd>(&self, simd: S, vertex: usize) -> [f32x8<S>; 3] {
         [
             f32x8::from_slice(simd, &self.corner[vertex][0]),
             f32x8::from_slice(simd, &self.corner[vertex][1]),
@@ -172,28 +167,45 @@ impl TriangleBlock {
     }
 }
 
+/// The least and the greatest weight of where a line meets a plane, times n·d, which is `along`; of
+/// the third weight a quarter, because it may be wrong by four times as much. `c` is the first corner
+/// less the origin.
+#[inline(always)]
+pub(super) fn weights<S: Simd>(
+    simd: S,
+    c: [f32x8<S>; 3],
+    d: [f32x8<S>; 3],
+    [e1, e2]: [[f32x8<S>; 3]; 2],
+    along: f32x8<S>,
+) -> (f32x8<S>, f32x8<S>) {
+    let r = cross(c, d);
+    let (v1, v2) = (dot(r, e2), dot(r, e1));
+    let v0 = (along - (v1 + v2)) * f32x8::splat(simd, 0.25);
+    (v1.min(v2).min(v0), v1.max(v2).max(v0))
+}
+
 #[inline(always)]
 fn splat<S: Simd>(simd: S, v: [f32; 3]) -> [f32x8<S>; 3] {
     [f32x8::splat(simd, v[0]), f32x8::splat(simd, v[1]), f32x8::splat(simd, v[2])]
 }
 
 #[inline(always)]
-fn minus<S: Simd>(a: [f32x8<S>; 3], b: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
+pub(super) fn minus<S: Simd>(a: [f32x8<S>; 3], b: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 #[inline(always)]
-fn cross<S: Simd>(a: [f32x8<S>; 3], b: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
+pub(super) fn cross<S: Simd>(a: [f32x8<S>; 3], b: [f32x8<S>; 3]) -> [f32x8<S>; 3] {
     [a[1].mul_sub(b[2], a[2] * b[1]), a[2].mul_sub(b[0], a[0] * b[2]), a[0].mul_sub(b[1], a[1] * b[0])]
 }
 
 #[inline(always)]
-fn dot<S: Simd>(a: [f32x8<S>; 3], b: [f32x8<S>; 3]) -> f32x8<S> {
+pub(super) fn dot<S: Simd>(a: [f32x8<S>; 3], b: [f32x8<S>; 3]) -> f32x8<S> {
     a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
 }
 
 /// Largest magnitude of a component.
 #[inline(always)]
-fn size<S: Simd>(a: [f32x8<S>; 3]) -> f32x8<S> {
+pub(super) fn size<S: Simd>(a: [f32x8<S>; 3]) -> f32x8<S> {
     a[0].abs().max(a[1].abs()).max(a[2].abs())
 }

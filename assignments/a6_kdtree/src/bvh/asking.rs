@@ -7,20 +7,13 @@ use super::abreast::RAYS;
 use super::aside::{CROWD, entering, widened};
 use super::bundle::lanes_of;
 use super::horizon::{Horizons, Sky};
+use super::purpose::Known;
 use super::wide::Bvh;
 use common::counters::Counters;
 use common::math::Interval;
 use common::ray::Ray;
-use common::shape::triangle_block::TriangleBlock;
 use common::simd::Simd;
 use std::ops::Range;
-
-/// What is known of a ray when the tree is asked.
-pub trait Known: Copy {
-    /// What the tree holds after this t does not matter; −∞ if nothing does. `max` is where the
-    /// interval ends.
-    fn last(&self, max: f32) -> f32;
-}
 
 /// The rays of which the tree must be asked, in their order, and which of all rays they are. As
 /// long as all are, they are only counted.
@@ -69,9 +62,8 @@ impl Asked<'_> {
 }
 
 impl Bvh<'_> {
-    /// Calls `follow` for the rays of which the tree must be asked, with what is known of them.
-    /// `few` is told of those that only a few triangles could stop.
-    #[expect(clippy::too_many_arguments, reason = "rays, what is known of them, and what is done with them")]
+    /// Calls `follow` for the rays of which the tree must be asked, with what is known of them and
+    /// which of all `rays` they are, if not all.
     #[inline(always)]
     pub(super) fn ask_for<S: Simd, T: Known>(
         &self,
@@ -79,11 +71,10 @@ impl Bvh<'_> {
         rays: &[Ray],
         interval: Interval,
         known: &mut [T],
-        few: impl FnMut(&mut T, &Ray, &TriangleBlock, &mut Counters),
-        follow: impl FnOnce(&[Ray], &mut [T], &mut Counters),
+        follow: impl FnOnce(&[Ray], &mut [T], &[u32], &mut Counters),
         c: &mut Counters,
     ) {
-        let asked = self.settle(simd, rays, interval, known, few, c);
+        let asked = self.settle(simd, rays, interval, known, c);
         let mut kept = Vec::new();
         let (rays, these) = if asked.rays.is_empty() {
             (&rays[..asked.first], &mut known[..asked.first])
@@ -95,7 +86,7 @@ impl Bvh<'_> {
             return;
         }
         // Called in one place only: what is done there is much, and inlined.
-        follow(rays, these, c);
+        follow(rays, these, &asked.numbers, c);
         for (&i, value) in asked.numbers.iter().zip(kept) {
             known[i as usize] = value;
         }
@@ -109,7 +100,6 @@ impl Bvh<'_> {
         rays: &'r [Ray],
         interval: Interval,
         known: &mut [T],
-        mut few: impl FnMut(&mut T, &Ray, &TriangleBlock, &mut Counters),
         c: &mut Counters,
     ) -> Asked<'r> {
         let mut asked = Asked { all: rays, first: 0, rays: Vec::new(), numbers: Vec::new() };
@@ -136,7 +126,9 @@ impl Bvh<'_> {
                 for lane in lanes_of(entered) {
                     match horizons.map_or(Sky::Crowded, |horizons| horizons.sky(&rays[lane])) {
                         Sky::Open => {}
-                        Sky::Few(block) => few(&mut known[first + lane], &rays[lane], block, c),
+                        Sky::Few(block) => {
+                            known[first + lane].look(simd, self, block, &rays[lane], interval, c)
+                        }
                         Sky::Crowded => asked.push(first + lane),
                     }
                 }

@@ -152,7 +152,7 @@ impl Bvh<'_> {
         }
         let limits = bundle.limits(simd, &last);
         let mut firsts = Firsts { bvh: self, bundle, last, limits, best };
-        walk(simd, self, stack, greatest(simd, &limits), bundle, &mut firsts, c);
+        walk(simd, (self, 0), stack, greatest(simd, &limits), bundle, &mut firsts, c);
     }
 
     /// A bit for each of the asked rays that hits anything.
@@ -167,7 +167,7 @@ impl Bvh<'_> {
         let limits = bundle.limits(simd, &[bundle.interval.max; RAYS]);
         let max = greatest(simd, &limits);
         let mut blocked = AllBlocked { bvh: self, bundle, limits, max, hit: 0 };
-        walk(simd, self, stack, max, bundle, &mut blocked, c);
+        walk(simd, (self, 0), stack, max, bundle, &mut blocked, c);
         blocked.hit
     }
 }

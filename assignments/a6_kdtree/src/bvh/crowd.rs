@@ -10,6 +10,7 @@ use super::packet::{Packet, RAYS};
 use super::purpose::{At, Purpose};
 use super::single::Query;
 use super::slot::{DEEPEST, Slot};
+use super::stream::Inlet;
 use super::wide::Bvh;
 use common::accel::Job;
 use common::counters::Counters;
@@ -85,20 +86,23 @@ struct Queue<'a> {
     asked: u32,
     /// How many were looked at.
     seen: usize,
+    /// Where those go that are better off in a stream.
+    inlet: Option<Inlet<'a>>,
 }
 
 impl Bvh<'_> {
-    /// Follows all rays.
+    /// Follows all rays but those that it puts into a stream, if there is one.
     #[inline(always)]
     pub(super) fn follow<S: Simd>(
         &self,
         simd: S,
         rays: &[Ray],
+        inlet: Option<Inlet>,
         interval: Interval,
         purpose: &mut impl Purpose,
         c: &mut Counters,
     ) {
-        let mut queue = Queue { rays, packet: Packet::EMPTY, first: 0, asked: 0, seen: 0 };
+        let mut queue = Queue { rays, packet: Packet::EMPTY, first: 0, asked: 0, seen: 0, inlet };
         if rays.len() < SLOTS {
             // Too few to hide behind each other.
             while queue.seen < rays.len() {
@@ -186,7 +190,19 @@ impl Bvh<'_> {
         }
     }
 
-    /// Prepares the next eight rays; follows them at once if they are a bundle, or are to go alone.
+    /// Lets the prepared rays join the stream, if there is one for them.
+    #[inline(always)]
+    fn join<S: Simd>(&self, simd: S, queue: &mut Queue, rays: usize, purpose: &impl Purpose) {
+        let Queue { packet, first, asked, inlet: Some(inlet), .. } = queue else { return };
+        if inlet.stream.is_open || starts_together(simd, packet, &self.bounds) {
+            let last = |lane: usize| purpose.last(*first + lane.min(rays - 1));
+            let last = [last(0), last(1), last(2), last(3), last(4), last(5), last(6), last(7)];
+            *asked = inlet.stream.take(simd, packet, *asked, &inlet.eight(*first, rays), &last);
+        }
+    }
+
+    /// Prepares the next eight rays; follows them at once if they are a bundle, or are to go alone,
+    /// and lets them join the stream if that is better.
     #[inline(always)]
     fn prepare<S: Simd>(
         &self,
@@ -213,7 +229,10 @@ impl Bvh<'_> {
                 Bundle { packet: &queue.packet, frustum: &frustum, rays, asked: queue.asked, interval };
             purpose.bundle(simd, self, &bundle, queue.first, c);
             queue.asked = 0;
-        } else if alone || self.is_alone_better(simd, &queue.packet) {
+            return;
+        }
+        self.join(simd, queue, rays.len(), purpose);
+        if alone || self.is_alone_better(simd, &queue.packet) {
             for lane in lanes_of(queue.asked) {
                 let query = Query { packet: &queue.packet, lane, ray: &rays[lane], interval };
                 purpose.alone(simd, self, &query, queue.first + lane, c);

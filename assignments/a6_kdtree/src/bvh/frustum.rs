@@ -34,7 +34,7 @@ impl Frustum {
     #[inline(always)]
     pub fn around<S: Simd>(simd: S, packet: &Packet, bounds: &Bounds) -> Option<Self> {
         let one_way = packet.backward.iter().all(|rays| *rays == 0 || *rays == EVERY);
-        if !one_way || packet.usable != EVERY || packet.error[0][0] == f32::INFINITY {
+        if !one_way || packet.usable & packet.ordinary != EVERY {
             return None;
         }
         let backward = packet.backward[0] & 1 | packet.backward[1] & 2 | packet.backward[2] & 4;

@@ -42,6 +42,8 @@ pub struct Packet<const N: usize = RAYS> {
     floor: Lanes<N>,
     /// A bit for every ray that can hit anything at all.
     pub usable: u32,
+    /// A bit for every ray whose box tests are sure not to overflow.
+    pub ordinary: u32,
     /// By axis, a bit for every ray that meets the high side first.
     pub backward: [u32; 3],
 }
@@ -73,11 +75,20 @@ impl Packet {
         along.store_slice(&mut packet.along);
         depth.store_slice(&mut packet.depth);
         floor.store_slice(&mut packet.floor);
-        let ordinary = far.simd_lt(step * f32x8::splat(simd, ORDINARY)).to_bitmask() as u32;
-        if ordinary != EVERY {
+        packet.ordinary = far.simd_lt(step * f32x8::splat(simd, ORDINARY)).to_bitmask() as u32;
+        if packet.ordinary != EVERY {
             packet.give_up();
         }
         packet
+    }
+}
+
+impl Packet {
+    /// The two numbers of which [`Errors::new`] makes the rays' bounds.
+    #[inline(always)]
+    pub fn far_and_step<S: Simd>(&self, simd: S) -> [f32x8<S>; 2] {
+        let [along, depth] = [&self.along, &self.depth].map(|v| f32x8::from_slice(simd, v));
+        Errors::far_and_step(simd, along, depth)
     }
 }
 
@@ -109,13 +120,14 @@ impl Packet<1> {
             depth: [0.0],
             floor: [0.0],
             usable: 1,
+            ordinary: 1,
             backward: [backward & 1, backward >> 1 & 1, backward >> 2 & 1],
         };
         let far = greater(greater(far[0][0], far[1][0]), far[2][0]);
         let step = ray.direction.abs().max_element();
         packet.set_errors(0, &Errors::new(far, step));
-        let ordinary = far < ORDINARY * step;
-        if !ordinary {
+        packet.ordinary = u32::from(far < ORDINARY * step);
+        if packet.ordinary == 0 {
             packet.give_up();
         }
         packet
@@ -149,16 +161,21 @@ impl<const N: usize> Packet<N> {
         depth: [0.0; N],
         floor: [0.0; N],
         usable: 0,
+        ordinary: 0,
         backward: [0; 3],
     };
 
-    /// Lets all rays meet every box.
+    /// Lets rays that are not ordinary meet every box.
     #[cold]
     fn give_up(&mut self) {
-        self.inverse = [[0.0; N]; 3];
-        self.error = [[f32::INFINITY; N]; 3];
-        self.near_offset = [[f32::INFINITY; N]; 3];
-        self.far_offset = [[f32::NEG_INFINITY; N]; 3];
+        for lane in (0..N).filter(|lane| self.ordinary >> lane & 1 == 0) {
+            for axis in 0..3 {
+                self.inverse[axis][lane] = 0.0;
+                self.error[axis][lane] = f32::INFINITY;
+                self.near_offset[axis][lane] = f32::INFINITY;
+                self.far_offset[axis][lane] = f32::NEG_INFINITY;
+            }
+        }
     }
 
     #[inline(always)]

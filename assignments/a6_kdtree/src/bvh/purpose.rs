@@ -9,6 +9,8 @@ use common::accel::Job;
 use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::Interval;
+use common::ray::Ray;
+use common::shape::triangle_block::TriangleBlock;
 use common::simd::Simd;
 
 /// What rays are followed for.
@@ -37,6 +39,86 @@ pub struct At<'a> {
     pub ray: usize,
     /// Hits later than this do not matter.
     pub last: f32,
+}
+
+/// What is known of a ray when the tree is asked: its first hit so far, or whether there is any.
+pub trait Known: Copy {
+    /// What finds out the rest.
+    type Purpose<'a>: Purpose
+    where
+        Self: 'a;
+
+    /// Finds out the rest of some rays.
+    fn purpose<'a>(interval: Interval, known: &'a mut [Self], stack: &'a mut Stack) -> Self::Purpose<'a>;
+
+    /// What the tree holds after this t does not matter; −∞ if nothing does. `max` is where the
+    /// interval ends.
+    fn last(&self, max: f32) -> f32;
+
+    /// Looks at the few triangles that could stop the ray.
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        bvh: &Bvh,
+        few: &TriangleBlock,
+        ray: &Ray,
+        interval: Interval,
+        c: &mut Counters,
+    );
+}
+
+impl Known for Option<Hit> {
+    type Purpose<'a> = Nearest<'a>;
+
+    #[inline(always)]
+    fn purpose<'a>(interval: Interval, best: &'a mut [Self], stack: &'a mut Stack) -> Nearest<'a> {
+        Nearest { interval, best, stack }
+    }
+
+    #[inline(always)]
+    fn last(&self, max: f32) -> f32 {
+        self.map_or(max, |hit| hit.t)
+    }
+
+    #[inline(always)]
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        bvh: &Bvh,
+        few: &TriangleBlock,
+        ray: &Ray,
+        interval: Interval,
+        c: &mut Counters,
+    ) {
+        *self = bvh.nearest_of_few(simd, few, ray, interval, *self, c);
+    }
+}
+
+impl Known for bool {
+    type Purpose<'a> = Blocked<'a>;
+
+    #[inline(always)]
+    fn purpose<'a>(interval: Interval, hit: &'a mut [Self], stack: &'a mut Stack) -> Blocked<'a> {
+        Blocked { interval, hit, stack }
+    }
+
+    #[inline(always)]
+    fn last(&self, max: f32) -> f32 {
+        if *self { f32::NEG_INFINITY } else { max }
+    }
+
+    #[inline(always)]
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        bvh: &Bvh,
+        few: &TriangleBlock,
+        ray: &Ray,
+        interval: Interval,
+        c: &mut Counters,
+    ) {
+        *self |= bvh.any_of_few(simd, few, ray, interval, c);
+    }
 }
 
 /// Looks for the first hit of each ray.

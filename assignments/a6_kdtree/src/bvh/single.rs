@@ -103,7 +103,7 @@ impl Bvh<'_> {
         let job = Job { filter: std::hint::black_box(filter), ray, interval };
         let last = best.map_or(interval.max, |b| b.t);
         let mut first = First { bvh: self, margin: packet.margin(lane), job, last, best };
-        walk(simd, self, stack, query.limit(last), &query.beam(simd), &mut first, c);
+        walk(simd, (self, 0), stack, query.limit(last), &query.beam(simd), &mut first, c);
         first.best
     }
 
@@ -122,7 +122,7 @@ impl Bvh<'_> {
         let job = Job { filter: std::hint::black_box(filter), ray, interval };
         let max = query.limit(interval.max);
         let mut blocked = Blocked { bvh: self, job, max, hit: false };
-        walk(simd, self, stack, max, &query.beam(simd), &mut blocked, c);
+        walk(simd, (self, 0), stack, max, &query.beam(simd), &mut blocked, c);
         blocked.hit
     }
 

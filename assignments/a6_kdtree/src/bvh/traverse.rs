@@ -1,13 +1,14 @@
 //! Questions to the tree: one ray, or many.
 
 use super::abreast::{Abreast, Firsts, RAYS};
-use super::asking::Known;
+use super::flow::Course;
 use super::frustum::Frustum;
 use super::packet::Packet;
-use super::purpose::{Blocked, Nearest};
+use super::purpose::Known;
 use super::sheets;
 use super::single::Query;
 use super::stack::Stack;
+use super::stream::{Inlet, Stream};
 use super::wide::Bvh;
 use common::accel::Accel;
 use common::counters::Counters;
@@ -105,65 +106,44 @@ impl Bvh<'_> {
         }
     }
 
+    /// Asks the tree about all rays, of which so much is `known`.
     #[inline(always)]
-    fn nearest_in<S: Simd>(
+    fn ask<S: Simd, T: Known>(
         &self,
         simd: S,
         rays: &[Ray],
         interval: Interval,
-        best: &mut [Option<Hit>],
+        known: &mut [T],
         c: &mut Counters,
     ) {
         let mut stack = Stack::new();
-        self.ask_for(
-            simd,
-            rays,
-            interval,
-            best,
-            #[inline(always)]
-            |best, ray, block, c| *best = self.nearest_of_few(simd, block, ray, interval, *best, c),
-            #[inline(always)]
-            |rays, best, c| {
-                let stack = &mut stack;
-                self.follow(simd, rays, interval, &mut Nearest { interval, best, stack }, c);
-            },
-            c,
-        );
-    }
-
-    #[inline(always)]
-    fn any_in<S: Simd>(&self, simd: S, rays: &[Ray], interval: Interval, hit: &mut [bool], c: &mut Counters) {
-        let mut stack = Stack::new();
-        self.ask_for(
-            simd,
-            rays,
-            interval,
-            hit,
-            #[inline(always)]
-            |hit, ray, block, c| *hit |= self.any_of_few(simd, block, ray, interval, c),
-            #[inline(always)]
-            |rays, hit, c| {
-                let stack = &mut stack;
-                self.follow(simd, rays, interval, &mut Blocked { interval, hit, stack }, c);
-            },
-            c,
-        );
+        let mut stream = Stream::of_many(rays.len(), self.nodes.len(), &self.bounds);
+        let course = Course { rays, interval };
+        for first in (0..rays.len()).step_by(PART) {
+            let part = first..rays.len().min(first + PART);
+            let is_last = part.end == rays.len();
+            self.ask_for(
+                simd,
+                &rays[part.clone()],
+                interval,
+                &mut known[part],
+                #[inline(always)]
+                |rays, known, numbers, c| {
+                    let inlet = stream.as_mut().map(|stream| Inlet { stream, first, numbers });
+                    self.follow(simd, rays, inlet, interval, &mut T::purpose(interval, known, &mut stack), c);
+                },
+                c,
+            );
+            if let Some(stream) = stream.as_mut().filter(|s| s.is_full() || is_last && !s.is_empty()) {
+                self.flow(simd, stream, &course, &mut T::purpose(interval, known, &mut stack), c);
+                stream.clear();
+            }
+        }
     }
 }
 
-impl Known for Option<Hit> {
-    #[inline(always)]
-    fn last(&self, max: f32) -> f32 {
-        self.map_or(max, |hit| hit.t)
-    }
-}
-
-impl Known for bool {
-    #[inline(always)]
-    fn last(&self, max: f32) -> f32 {
-        if *self { f32::NEG_INFINITY } else { max }
-    }
-}
+/// Rays of one call that are looked at before the next are: so many stay in the nearest cache.
+const PART: usize = 256;
 
 /// Fewer rays are faster one by one.
 const BUNDLE: usize = 4;
@@ -215,7 +195,7 @@ impl Accel for Bvh<'_> {
         assert_eq!(rays.len(), hits.len());
         dispatch!(simd::level(), s => self.nearest_beside(s, rays, interval, hits, counters));
         if !self.nodes.is_empty() {
-            dispatch!(simd::level(), s => self.nearest_in(s, rays, interval, hits, counters));
+            dispatch!(simd::level(), s => self.ask(s, rays, interval, hits, counters));
         }
     }
 
@@ -223,7 +203,7 @@ impl Accel for Bvh<'_> {
         assert_eq!(rays.len(), hit.len());
         dispatch!(simd::level(), s => self.any_beside(s, rays, interval, hit, counters));
         if !self.nodes.is_empty() {
-            dispatch!(simd::level(), s => self.any_in(s, rays, interval, hit, counters));
+            dispatch!(simd::level(), s => self.ask(s, rays, interval, hit, counters));
         }
     }
 

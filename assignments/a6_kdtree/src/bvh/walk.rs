@@ -22,24 +22,24 @@ pub trait Visit<S: Simd> {
     fn leaf(&mut self, simd: S, node: &WideNode, child: usize, counters: &mut Counters) -> f32;
 }
 
-/// Visits leaves that may be met no later than `max`, near ones first by and large.
+/// Visits leaves below a node that may be met no later than `max`, near ones first by and large.
 #[inline(always)]
 pub fn walk<S: Simd>(
     simd: S,
-    tree: &Bvh,
+    (tree, from): (&Bvh, usize),
     stack: &mut Stack,
     mut max: f32,
     way: &impl Way<S>,
     visit: &mut impl Visit<S>,
     c: &mut Counters,
 ) {
-    let Some(mut node) = tree.nodes.first() else { return };
+    let Some(mut node) = tree.nodes.get(from) else { return };
     let (backward, large) = (way.backward(), tree.is_large());
     stack.clear();
     let mut level = 0;
     let mut visited = 1;
     let top = stack.at(0);
-    top.node = 0;
+    top.node = from as u32;
     let mut lanes = way.meet(simd, node, max, &mut top.enter);
     loop {
         if lanes == 0 {

@@ -167,6 +167,12 @@ pub const EMPTY_NODE: WideNode = WideNode {
 };
 
 impl WideNode {
+    /// How many of the places are in use; these come first.
+    #[inline(always)]
+    pub fn children(&self) -> usize {
+        WIDTH - self.child.iter().rev().take_while(|child| **child == Child::NOTHING).count()
+    }
+
     /// Puts a box into a lane, widened by the smallest step, so that a ray that runs in one of
     /// its sides is inside.
     pub fn set_box(&mut self, lane: usize, bounds: &Bounds) {

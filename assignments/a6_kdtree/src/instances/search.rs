@@ -51,7 +51,7 @@ impl Instances<'_> {
         let stretch = widened(interval, &goal, margin);
         let mut parts = Parts { scene: self, margin, goal };
         let beam = packet.beam(0).spread(simd, stretch.min);
-        walk(simd, &self.top, &mut Stack::new(), stretch.max, &beam, &mut parts, c);
+        walk(simd, (&self.top, 0), &mut Stack::new(), stretch.max, &beam, &mut parts, c);
         parts.goal.best
     }
 }
@@ -131,7 +131,7 @@ impl<const ANY: bool> Parts<'_, '_, ANY> {
         let mut blocks =
             Blocks { geometry, tree, placement, object: &object, exact, margin, goal: &mut self.goal };
         let beam = object.packet.beam(0).spread(simd, stretch.min);
-        walk(simd, tree, &mut Stack::new(), stretch.max, &beam, &mut blocks, c);
+        walk(simd, (tree, 0), &mut Stack::new(), stretch.max, &beam, &mut blocks, c);
     }
 }
 

@@ -1,0 +1,165 @@
+//! Streams of rays: all that reach a node are asked about its children before any goes on
+//! (Barringer & Akenine-Möller, "Dynamic Ray Stream Traversal", 2014).
+//!
+//! Rays are taken eight at a time, side by side, so that no branch depends on what one of them meets
+//! and a block's triangles are worked out once for all. Rays of one octant share the order of
+//! children. Where a list gets short its rays go on alone.
+
+use super::bundle::lanes_of;
+use super::lists::{Lists, Task, eight};
+use super::packet::RAYS;
+use super::purpose::{At, Purpose};
+use super::record::Record;
+use super::stack::Stack;
+use super::straggler::Straggler;
+use super::stream::{OCTANTS, Stream};
+use super::wide::{Bvh, Held, WIDTH, WideNode};
+use common::accel::Job;
+use common::counters::Counters;
+use common::math::Interval;
+use common::math::lanes::Stored;
+use common::ray::Ray;
+use common::shape::unfolded::Unfolded;
+use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8, u32x8};
+
+/// Fewer rays on a list are faster one by one.
+const FEW: usize = 12;
+
+/// What all rays of a stream share.
+#[derive(Clone, Copy)]
+pub struct Course<'a> {
+    /// All rays, those of the stream among them.
+    pub rays: &'a [Ray],
+    /// Where hits count.
+    pub interval: Interval,
+}
+
+/// The sides of a node's boxes, made wider, as rays of an octant meet them.
+struct Sides {
+    near: Stored<f32>,
+    far: Stored<f32>,
+}
+
+impl Sides {
+    #[inline(always)]
+    fn of<S: Simd>(simd: S, node: &WideNode, octant: usize, room: f32) -> Self {
+        let mut sides = Self { near: [[0.0; WIDTH]; 3], far: [[0.0; WIDTH]; 3] };
+        for axis in 0..3 {
+            let backward = octant >> axis & 1;
+            let room = f32x8::splat(simd, if backward == 0 { room } else { -room });
+            let [near, far] = [&node.side[axis][backward], &node.side[axis][backward ^ 1]];
+            (f32x8::from_slice(simd, near) - room).store_slice(&mut sides.near[axis]);
+            (f32x8::from_slice(simd, far) + room).store_slice(&mut sides.far[axis]);
+        }
+        sides
+    }
+}
+
+/// The records of eight rays.
+#[inline(always)]
+fn records_of<'r>(records: &'r [Record], n: &[u32; RAYS]) -> [&'r Record; RAYS] {
+    let of = |i: usize| &records[n[i] as usize];
+    [of(0), of(1), of(2), of(3), of(4), of(5), of(6), of(7)]
+}
+
+impl Bvh<'_> {
+    /// Follows all rays of a stream.
+    #[inline(always)]
+    pub(super) fn flow<S: Simd>(
+        &self,
+        simd: S,
+        stream: &mut Stream,
+        course: &Course,
+        purpose: &mut impl Purpose,
+        c: &mut Counters,
+    ) {
+        let (mut lists, mut stack) = (Lists::new(), Stack::new());
+        for octant in 0..OCTANTS {
+            lists.start(&stream.octants[octant]);
+            while let Some(task) = lists.pop() {
+                if !task.child.is_node() {
+                    self.reach(simd, task.child.held(), lists.of(&task), stream, course, purpose, c);
+                } else if task.len() >= FEW {
+                    c.cells += task.len() as u64;
+                    let node = &self.nodes[task.child.index()];
+                    pass(simd, &mut lists, &task, node, stream, octant, course.interval.min);
+                } else {
+                    for &record in lists.of(&task) {
+                        let straggler = Straggler { record: record as usize, octant, course };
+                        straggler.go_on(simd, self, task.child.index(), &mut stack, stream, purpose, c);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Looks into a leaf with all rays of a list.
+    #[expect(clippy::too_many_arguments, reason = "all of them belong to one loop")]
+    #[inline(always)]
+    fn reach<S: Simd>(
+        &self,
+        simd: S,
+        held: Held,
+        list: &[u32],
+        stream: &mut Stream,
+        course: &Course,
+        purpose: &mut impl Purpose,
+        c: &mut Counters,
+    ) {
+        let Course { rays, interval } = *course;
+        let unfolded = match held {
+            Held::Block(index, len) => Some((Unfolded::of(simd, &self.blocks[index]), len)),
+            _ => None,
+        };
+        for list in list.chunks(RAYS) {
+            let (records, count) = eight(list);
+            let mut left = (1 << count) - 1;
+            if let Some((unfolded, len)) = &unfolded {
+                let lines = Record::lines(simd, records_of(&stream.records, &records), interval.min);
+                left &= unfolded.rays_meeting(simd, &lines, *len);
+                // Those that are left are counted when they are looked at.
+                c.intersections += (len * (count - left.count_ones() as usize)) as u64;
+            }
+            for lane in lanes_of(left) {
+                let place = records[lane] as usize;
+                let (record, ray) = (&mut stream.records[place], stream.numbers[place] as usize);
+                let filter = record.filter();
+                let job = Job { filter: &filter, ray: &rays[ray], interval };
+                let last = purpose.leaf(simd, self, held, &At { job, ray, last: record.last() }, c);
+                record.end_at(last, filter.errors.margin());
+            }
+        }
+    }
+}
+
+/// Sends the rays of a list to the children of a node whose boxes they meet.
+#[inline(always)]
+fn pass<S: Simd>(
+    simd: S,
+    lists: &mut Lists,
+    task: &Task,
+    node: &WideNode,
+    stream: &Stream,
+    octant: usize,
+    min: f32,
+) {
+    let Sides { near, far } = Sides::of(simd, node, octant, stream.room);
+    let (list, places, mut ends) = lists.split(task);
+    let children = node.children();
+    let of = |number: f32| f32x8::splat(simd, number);
+    for list in list.chunks(RAYS) {
+        let (records, count) = eight(list);
+        let [ix, iy, iz, x, y, z, limit] = Record::beams(simd, records_of(&stream.records, &records));
+        let records = u32x8::from_slice(simd, &records);
+        for (child, end) in ends.iter_mut().enumerate().take(children) {
+            let enter = of(near[0][child]).mul_sub(ix, x).max(of(near[1][child]).mul_sub(iy, y));
+            let enter = enter.max(of(near[2][child]).mul_sub(iz, z)).max(of(min));
+            let leave = of(far[0][child]).mul_sub(ix, x).min(of(far[1][child]).mul_sub(iy, y));
+            let leave = leave.min(of(far[2][child]).mul_sub(iz, z)).min(limit);
+            let met = enter.simd_le(leave);
+            simd.compress_u32x8(records, met).store_slice(&mut places[*end..*end + RAYS]);
+            *end += (met.to_bitmask() as u32 & ((1 << count) - 1)).count_ones() as usize;
+        }
+    }
+    lists.push(task, &node.child, &ends, octant >> node.axis & 1 == 0);
+}

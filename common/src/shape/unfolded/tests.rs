@@ -1,0 +1,70 @@
+//! Eight rays beside one: what is discarded and what is kept.
+
+use super::*;
+use crate::math::{Bounds, Interval, Vec3};
+use crate::ray::Ray;
+use crate::shape::ExactRay;
+use crate::shape::filter::Filter;
+use crate::shape::triangle::intersect;
+use crate::simd::{by_name, dispatch};
+use rand_core::{Rng, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+/// Coordinates of all sizes, often 0, seldom so large that products overflow.
+fn vector(random: &mut Pcg64Mcg) -> Vec3 {
+    let sizes = [0.0, 1e-20, 1e-3, 1.0, 1.0, 1.0, 1e3, 1e19];
+    let sized = random.next_u32().is_multiple_of(4);
+    Vec3::from_array(std::array::from_fn(|_| {
+        let size = if sized { sizes[random.next_u32() as usize % 8] } else { 1.0 };
+        (random.next_u32() as f32 / u32::MAX as f32 - 0.5) * size
+    }))
+}
+
+#[test]
+fn a6t2_what_is_not_met_by_eight_rays_is_possible_for_none() {
+    let mut random = Pcg64Mcg::seed_from_u64(3);
+    let (mut possible, mut met, mut all) = (0, 0, 0);
+    for round in 0..4000 {
+        let triangles: Vec<[Vec3; 3]> = (0..1 + round % 8)
+            .map(|_| {
+                let at = vector(&mut random);
+                [at, at + vector(&mut random) * 0.3, at + vector(&mut random) * 0.3]
+            })
+            .collect();
+        let block = TriangleBlock::pack((0..).zip(triangles.iter().copied()));
+        let bounds = Bounds::of_points(triangles.iter().flatten().copied());
+        let rays: [Ray; LANES] = std::array::from_fn(|_| Ray::new(vector(&mut random), vector(&mut random)));
+        let filters = rays.each_ref().map(|ray| Filter::new(ray, &bounds));
+        for min in [0.0, -0.5, f32::NEG_INFINITY] {
+            let interval = Interval { min, max: f32::INFINITY };
+            for level in ["baseline", "sse4", "avx2", "avx512"].into_iter().filter_map(by_name) {
+                let (bits, verdicts) = dispatch!(level, s => {
+                    let [o, d] = Ray::columns(s, rays.each_ref());
+                    let far_and_step = Errors::far_and_step(s,
+                        f32x8::from_slice(s, &filters.each_ref().map(|f| f.errors.along)),
+                        f32x8::from_slice(s, &filters.each_ref().map(|f| f.errors.depth)));
+                    let eight = Rays::new(s, o, d, far_and_step, min);
+                    let bits = Unfolded::of(s, &block).rays_meeting(s, &eight, triangles.len());
+                    (bits, filters.each_ref().map(|filter| block.judge(s, filter, interval)))
+                });
+                let used = (1 << triangles.len()) - 1;
+                for (lane, ray) in rays.iter().enumerate().filter(|(_, ray)| ray.is_usable()) {
+                    let is_met = bits >> lane & 1 == 1;
+                    let is_certain = verdicts[lane].certain & used != 0;
+                    let exact = triangles
+                        .iter()
+                        .any(|t| intersect(&ExactRay::new(ray), t).is_some_and(|hit| hit.t >= min));
+                    assert!(is_met || !exact && !is_certain, "{ray:?} {triangles:?} {min}");
+                    possible += usize::from(verdicts[lane].possible & used != 0);
+                    met += usize::from(is_met);
+                    all += 1;
+                }
+            }
+        }
+    }
+    // Where rays have no end it knows what the filter knows.
+    assert!(
+        met <= possible * 101 / 100 && met < all * 2 / 3,
+        "{met} of {all} kept, {possible} by the filter"
+    );
+}
