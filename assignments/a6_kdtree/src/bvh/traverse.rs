@@ -16,6 +16,7 @@ use common::geometry::{Geometry, Hit};
 use common::math::Interval;
 use common::ray::Ray;
 use common::simd::{self, Simd, dispatch};
+use std::ops::Range;
 
 impl Bvh<'_> {
     /// The better of `best` and the first hit of what is in the tree, without planes and what else
@@ -107,39 +108,53 @@ impl Bvh<'_> {
     }
 
     /// Asks the tree about all rays, of which so much is `known`.
-    #[inline(always)]
-    fn ask<S: Simd, T: Known>(
-        &self,
-        simd: S,
-        rays: &[Ray],
-        interval: Interval,
-        known: &mut [T],
-        c: &mut Counters,
-    ) {
-        let mut stack = Stack::new();
-        let mut stream = Stream::of_many(rays.len(), self.nodes.len(), &self.bounds);
-        let course = Course { rays, interval };
+    fn ask<T: Known>(&self, rays: &[Ray], interval: Interval, known: &mut [T], c: &mut Counters) {
+        let stream = Stream::of_many(rays.len(), self.nodes.len(), &self.bounds);
+        let (course, mut desk) = (Course { rays, interval }, Desk { stack: Stack::new(), stream });
         for first in (0..rays.len()).step_by(PART) {
             let part = first..rays.len().min(first + PART);
             let is_last = part.end == rays.len();
-            self.ask_for(
-                simd,
-                &rays[part.clone()],
-                interval,
-                &mut known[part],
-                #[inline(always)]
-                |rays, known, numbers, c| {
-                    let inlet = stream.as_mut().map(|stream| Inlet { stream, first, numbers });
-                    self.follow(simd, rays, inlet, interval, &mut T::purpose(interval, known, &mut stack), c);
-                },
-                c,
-            );
-            if let Some(stream) = stream.as_mut().filter(|s| s.is_full() || is_last && !s.is_empty()) {
-                self.flow(simd, stream, &course, &mut T::purpose(interval, known, &mut stack), c);
+            dispatch!(simd::level(), s => self.ask_part(s, &course, part, known, &mut desk, c));
+            if let Some(stream) = desk.stream.as_mut().filter(|s| s.is_full() || is_last && !s.is_empty()) {
+                let purpose = &mut T::purpose(interval, known, &mut desk.stack);
+                dispatch!(simd::level(), s => self.flow(s, stream, &course, purpose, c));
                 stream.clear();
             }
         }
     }
+
+    /// Asks the tree about some of all rays, but those that join the stream.
+    #[inline(always)]
+    fn ask_part<S: Simd, T: Known>(
+        &self,
+        simd: S,
+        course: &Course,
+        part: Range<usize>,
+        known: &mut [T],
+        desk: &mut Desk,
+        c: &mut Counters,
+    ) {
+        let (Course { rays, interval }, first) = (*course, part.start);
+        let Desk { stack, stream } = desk;
+        self.ask_for(
+            simd,
+            &rays[part.clone()],
+            interval,
+            &mut known[part],
+            #[inline(always)]
+            |rays, known, numbers, c| {
+                let inlet = stream.as_mut().map(|stream| Inlet { stream, first, numbers });
+                self.follow(simd, rays, inlet, interval, &mut T::purpose(interval, known, stack), c);
+            },
+            c,
+        );
+    }
+}
+
+/// What a call works with.
+struct Desk {
+    stack: Stack,
+    stream: Option<Stream>,
 }
 
 /// Rays of one call that are looked at before the next are: so many stay in the nearest cache.
@@ -195,7 +210,7 @@ impl Accel for Bvh<'_> {
         assert_eq!(rays.len(), hits.len());
         dispatch!(simd::level(), s => self.nearest_beside(s, rays, interval, hits, counters));
         if !self.nodes.is_empty() {
-            dispatch!(simd::level(), s => self.ask(s, rays, interval, hits, counters));
+            self.ask(rays, interval, hits, counters);
         }
     }
 
@@ -203,7 +218,7 @@ impl Accel for Bvh<'_> {
         assert_eq!(rays.len(), hit.len());
         dispatch!(simd::level(), s => self.any_beside(s, rays, interval, hit, counters));
         if !self.nodes.is_empty() {
-            dispatch!(simd::level(), s => self.ask(s, rays, interval, hit, counters));
+            self.ask(rays, interval, hit, counters);
         }
     }
 
