@@ -93,6 +93,6 @@ fn a6t2_streams_of_rays_from_everywhere_find_what_each_finds() {
 fn a6t2_streams_get_through_trees_without_order() {
     // Balls in one place cannot be told apart by any tree.
     let balls = "Sphere { center 0.1 0 0 radius 0.5 } ".repeat(3000);
-    let (hits, _) = agree(&geometry(&balls, 3000), &bounces(20), Interval::FORWARD);
+    let (hits, _) = agree(&geometry(&balls, 3000), &bounces(70), Interval::FORWARD);
     assert!(hits > 100, "{hits}");
 }

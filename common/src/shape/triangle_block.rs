@@ -123,12 +123,13 @@ impl TriangleBlock {
         let e2 = minus(self.corner(simd, 2), a);
         let c = minus(a, splat(simd, filter.origin));
         let d = splat(simd, filter.direction);
+        let two = two_weights(c, d, [e1, e2]);
         let n = cross(e2, e1);
         let along = dot(n, d);
         let edge = size(e1).max(size(e2));
         let floor = f32x8::splat(simd, filter.errors.floor);
         let weight_error = edge.mul_add(f32x8::splat(simd, filter.errors.weight), floor);
-        let (low, high) = weights(simd, c, d, [e1, e2], along);
+        let (low, high) = extremes(simd, two, along);
         // All weights of one sign: inside; certainly mixed signs: outside.
         let outside = high.min(-low).simd_gt(weight_error);
         // Of most blocks nothing is left here.
@@ -167,19 +168,21 @@ impl TriangleBlock {
     }
 }
 
-/// The least and the greatest weight of where a line meets a plane, times n·d, which is `along`; of
-/// the third weight a quarter, because it may be wrong by four times as much. `c` is the first corner
-/// less the origin.
+/// Two weights of where a line meets a plane, times n·d. `c` is the first corner less the origin.
 #[inline(always)]
-pub(super) fn weights<S: Simd>(
-    simd: S,
+pub(super) fn two_weights<S: Simd>(
     c: [f32x8<S>; 3],
     d: [f32x8<S>; 3],
     [e1, e2]: [[f32x8<S>; 3]; 2],
-    along: f32x8<S>,
-) -> (f32x8<S>, f32x8<S>) {
+) -> [f32x8<S>; 2] {
     let r = cross(c, d);
-    let (v1, v2) = (dot(r, e2), dot(r, e1));
+    [dot(r, e2), dot(r, e1)]
+}
+
+/// The least and the greatest of all three weights, of which two are known and the sum is `along`; of
+/// the third a quarter, because it may be wrong by four times as much.
+#[inline(always)]
+pub(super) fn extremes<S: Simd>(simd: S, [v1, v2]: [f32x8<S>; 2], along: f32x8<S>) -> (f32x8<S>, f32x8<S>) {
     let v0 = (along - (v1 + v2)) * f32x8::splat(simd, 0.25);
     (v1.min(v2).min(v0), v1.max(v2).max(v0))
 }

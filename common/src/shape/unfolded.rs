@@ -6,7 +6,7 @@
 //! the ray begins is looked at, since of most rays nothing is left then.
 
 use super::filter::Errors;
-use super::triangle_block::{LANES, TriangleBlock, cross, dot, minus, size, weights};
+use super::triangle_block::{LANES, TriangleBlock, cross, dot, extremes, minus, size, two_weights};
 use crate::math::lanes::{Stored, Vectors, store};
 use crate::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
@@ -78,7 +78,7 @@ impl Unfolded {
             let edges = [of_lane(simd, &self.edges[0], lane), of_lane(simd, &self.edges[1], lane)];
             let normal = of_lane(simd, &self.normal, lane);
             let along = dot(normal, rays.direction);
-            let (low, high) = weights(simd, c, rays.direction, edges, along);
+            let (low, high) = extremes(simd, two_weights(c, rays.direction, edges), along);
             let error = of(self.size[lane]).mul_add(rays.weight, rays.floor);
             let outside = high.min(-low).simd_gt(error);
             let (size, height) = (along.abs(), dot(normal, c));

@@ -112,11 +112,12 @@ fn greatest(vectors: &[Lanes; 3], lane: usize) -> f32 {
 /// are not finite make of it means nothing.
 #[inline(always)]
 fn ranges<S: Simd>(simd: S, lanes: &[Lanes; 3]) -> [[f32; 2]; 3] {
-    let halves = |axis: usize| {
-        let (a, b) = simd.split_f32x8(f32x8::from_slice(simd, &lanes[axis]));
-        (a.min(b), a.max(b))
-    };
-    let ((x, most_x), (y, most_y), (z, most_z)) = (halves(0), halves(1), halves(2));
+    // Not in a closure, which would be a call, and compiled for other instructions.
+    let (x, other_x) = simd.split_f32x8(f32x8::from_slice(simd, &lanes[0]));
+    let (y, other_y) = simd.split_f32x8(f32x8::from_slice(simd, &lanes[1]));
+    let (z, other_z) = simd.split_f32x8(f32x8::from_slice(simd, &lanes[2]));
+    let (most_x, most_y, most_z) = (x.max(other_x), y.max(other_y), z.max(other_z));
+    let (x, y, z) = (x.min(other_x), y.min(other_y), z.min(other_z));
     let (mut least, mut most) = ([0.0; 4], [0.0; 4]);
     let [a, b, c, d] = turn(simd, [x, y, z, z]);
     a.min(b).min(c.min(d)).store_slice(&mut least);

@@ -97,8 +97,12 @@ fn quarters<S: Simd>(
     let of = |record| f32x4::from_slice(simd, quarter(record));
     let low = turn(simd, [of(a), of(b), of(c), of(d)]);
     let high = turn(simd, [of(e), of(f), of(g), of(h)]);
-    let both = |i: usize| simd.combine_f32x4(low[i], high[i]);
-    [both(0), both(1), both(2), both(3)]
+    [
+        simd.combine_f32x4(low[0], high[0]),
+        simd.combine_f32x4(low[1], high[1]),
+        simd.combine_f32x4(low[2], high[2]),
+        simd.combine_f32x4(low[3], high[3]),
+    ]
 }
 
 /// Puts four numbers of each of eight rays into their records.
@@ -109,8 +113,11 @@ fn put_quarter<S: Simd>(
     [a, b, c, d]: [f32x8<S>; 4],
     quarter: impl Fn(&mut Record) -> &mut [f32; 4],
 ) {
-    let halves = |v: f32x8<S>| simd.split_f32x8(v);
-    let ((a, e), (b, f), (c, g), (d, h)) = (halves(a), halves(b), halves(c), halves(d));
+    // Not in a closure, which would be compiled for other instructions.
+    let (a, e) = simd.split_f32x8(a);
+    let (b, f) = simd.split_f32x8(b);
+    let (c, g) = simd.split_f32x8(c);
+    let (d, h) = simd.split_f32x8(d);
     let (low, high) = (turn(simd, [a, b, c, d]), turn(simd, [e, f, g, h]));
     for lane in 0..RAYS / 2 {
         low[lane].store_slice(quarter(&mut records[lane]));

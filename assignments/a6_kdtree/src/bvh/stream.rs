@@ -20,7 +20,7 @@ pub const OCTANTS: usize = 8;
 const MOST: usize = 16384;
 
 /// Rays of which there are fewer make no stream …
-const LEAST: usize = 256;
+const LEAST: usize = 4096;
 
 /// … nor do those of which there is less than one for so many nodes: lists would be short.
 const NODES_PER_RAY: usize = 16;
@@ -118,7 +118,8 @@ impl Stream {
         let limit = limits(simd, last, f32x8::from_slice(simd, &packet.reach));
         let first = self.records.len();
         self.numbers.extend_from_slice(numbers);
-        self.records.extend_from_slice(&[Record::NONE; RAYS]);
+        // Not from a slice, which would be copied by a call.
+        self.records.resize(first + RAYS, Record::NONE);
         Record::put(simd, &mut self.records[first..], packet, [limit, last]);
         for lane in lanes_of(fit) {
             let [bx, by, bz] = packet.backward.map(|rays| rays >> lane & 1);
