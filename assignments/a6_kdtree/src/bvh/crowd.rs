@@ -194,7 +194,7 @@ impl Bvh<'_> {
     #[inline(always)]
     fn join<S: Simd>(&self, simd: S, queue: &mut Queue, rays: usize, purpose: &impl Purpose) {
         let Queue { packet, first, asked, inlet: Some(inlet), .. } = queue else { return };
-        if inlet.stream.is_open || starts_together(simd, packet, &self.bounds) {
+        if starts_together(simd, packet, &self.bounds) {
             let last = |lane: usize| purpose.last(*first + lane.min(rays - 1));
             let last = [last(0), last(1), last(2), last(3), last(4), last(5), last(6), last(7)];
             *asked = inlet.stream.take(simd, packet, *asked, &inlet.eight(*first, rays), &last);

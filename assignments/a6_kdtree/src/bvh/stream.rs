@@ -16,17 +16,12 @@ use common::simd::{Simd, SimdBase, SimdMask, f32x8};
 /// Ways that signs of directions can be.
 pub const OCTANTS: usize = 8;
 
-/// Records of a stream that the second cache holds beside all else.
-const MOST: usize = 16384;
+/// Records of a stream that the second cache holds beside all else, and rays of which there are fewer
+/// make none.
+const MANY: usize = 4096;
 
-/// Rays of which there are fewer make no stream …
-const LEAST: usize = 4096;
-
-/// … nor do those of which there is less than one for so many nodes: lists would be short.
+/// Nor do those of which there is less than one for so many nodes: lists would be short.
 const NODES_PER_RAY: usize = 16;
-
-/// Where so many rays are there for each node, they need not start beside each other.
-const RAYS_PER_NODE: usize = 4;
 
 /// Farther from the scene's origin than this, times the greatest coordinate, no ray may start.
 const FARTHEST: f32 = 2.0;
@@ -48,16 +43,13 @@ pub struct Stream {
     pub octants: [Vec<u32>; OCTANTS],
     /// By how much boxes are made wider.
     pub room: f32,
-    /// Whether rays join that do not start beside each other.
-    pub is_open: bool,
     greatest: f32,
 }
 
 impl Stream {
     /// An empty one, if so many rays are worth it in a tree of so many nodes within `bounds`.
     pub fn of_many(rays: usize, nodes: usize, bounds: &Bounds) -> Option<Self> {
-        let together = rays.min(MOST);
-        if together < LEAST || together * NODES_PER_RAY < nodes {
+        if rays < MANY || MANY * NODES_PER_RAY < nodes {
             return None;
         }
         let greatest = bounds.min.abs().max(bounds.max.abs()).max_element();
@@ -66,7 +58,6 @@ impl Stream {
             numbers: Vec::new(),
             octants: [const { Vec::new() }; OCTANTS],
             room: greatest * ROOM,
-            is_open: together >= nodes * RAYS_PER_NODE,
             greatest,
         })
     }
@@ -78,7 +69,7 @@ impl Stream {
 
     /// Whether those that are in it had better flow before others join.
     pub fn is_full(&self) -> bool {
-        self.records.len() >= MOST
+        self.records.len() >= MANY
     }
 
     /// Forgets all that are in it.
@@ -164,12 +155,9 @@ mod tests {
 
     #[test]
     fn a6t2_streams_are_for_many_rays() {
-        let stream = |rays, nodes| Stream::of_many(rays, nodes, &BOUNDS).map(|stream| stream.is_open);
-        assert_eq!(stream(LEAST - 1, 1), None);
-        assert_eq!(stream(LEAST, LEAST), Some(false));
-        assert_eq!(stream(LEAST, LEAST / RAYS_PER_NODE), Some(true));
-        assert_eq!(stream(LEAST, LEAST * NODES_PER_RAY + 1), None);
-        assert_eq!(stream(1 << 30, MOST * NODES_PER_RAY + 1), None, "no more than {MOST} go together");
+        let is_made = |rays, nodes| Stream::of_many(rays, nodes, &BOUNDS).is_some();
+        assert!(is_made(MANY, 1) && is_made(MANY, MANY * NODES_PER_RAY));
+        assert!(!is_made(MANY - 1, 1) && !is_made(1 << 30, MANY * NODES_PER_RAY + 1));
     }
 
     #[test]
@@ -181,7 +169,7 @@ mod tests {
         rays[3].origin.z = -8.1;
         rays[4].direction *= 1e30;
         rays[5].direction = -good.direction;
-        let mut stream = Stream::of_many(MOST, 1, &BOUNDS).unwrap();
+        let mut stream = Stream::of_many(MANY, 1, &BOUNDS).unwrap();
         let numbers = std::array::from_fn(|i| 100 + i as u32);
         let left = dispatch!(level(), s => {
             let packet = Packet::of(s, &rays, &BOUNDS);

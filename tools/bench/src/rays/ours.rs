@@ -17,8 +17,8 @@ const LIST_TESTS: usize = 200_000_000;
 /// Cells of the grid for each triangle.
 const CELLS_PER_TRIANGLE: f64 = 5.0;
 
-/// Rays that are asked together: as many as a stream of them takes.
-const TOGETHER: usize = 16384;
+/// Rays that are asked together: as many as make a stream.
+const TOGETHER: usize = 4096;
 
 /// The hierarchy asked one ray at a time, as a renderer's later rays do.
 struct Alone<'w>(Bvh<'w>);

@@ -12,7 +12,7 @@ use std::hint::black_box;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 /// Rays that one thread takes at a time.
-const SHARE: usize = 16384;
+const SHARE: usize = 4096;
 /// Builds that are shorter than this many milliseconds are repeated within a round.
 const LONG_ENOUGH: f64 = 50.0;
 /// Most builds within a round.
@@ -128,8 +128,8 @@ pub fn sample(rays: &[Ray], count: usize) -> Vec<Ray> {
 fn ask_once(contender: &dyn Contender, rays: &[Ray], reach: f32, question: Question) -> f64 {
     let (next, total) = (AtomicUsize::new(0), AtomicU64::new(0));
     let work = || {
-        let mut nearest = vec![Answer::MISS; SHARE];
-        let mut any = vec![false; SHARE];
+        let mut nearest = [Answer::MISS; SHARE];
+        let mut any = [false; SHARE];
         let before = clock::thread_time();
         loop {
             let from = next.fetch_add(SHARE, Ordering::Relaxed);
