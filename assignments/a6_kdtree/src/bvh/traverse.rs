@@ -111,8 +111,11 @@ impl Bvh<'_> {
     fn ask<T: Known>(&self, rays: &[Ray], interval: Interval, known: &mut [T], c: &mut Counters) {
         let stream = Stream::of_many(rays.len(), self.nodes.len(), &self.bounds);
         let (course, mut desk) = (Course { rays, interval }, Desk { stack: Stack::new(), stream });
-        for first in (0..rays.len()).step_by(PART) {
-            let part = first..rays.len().min(first + PART);
+        // Where other things stand beside the tree it is asked of few rays, which had better be put
+        // together.
+        let size = if self.stands_alone() { PART } else { rays.len().max(PART) };
+        for first in (0..rays.len()).step_by(size) {
+            let part = first..rays.len().min(first + size);
             let is_last = part.end == rays.len();
             dispatch!(simd::level(), s => self.ask_part(s, &course, part, known, &mut desk, c));
             if let Some(stream) = desk.stream.as_mut().filter(|s| s.is_full() || is_last && !s.is_empty()) {
