@@ -9,9 +9,11 @@ use super::bundle::lanes_of;
 use super::horizon::{Horizons, Sky};
 use super::purpose::Known;
 use super::wide::Bvh;
+use common::accel::Job;
 use common::counters::Counters;
 use common::math::Interval;
 use common::ray::Ray;
+use common::shape::filter::Filter;
 use common::simd::Simd;
 use std::ops::Range;
 
@@ -127,7 +129,8 @@ impl Bvh<'_> {
                     match horizons.map_or(Sky::Crowded, |horizons| horizons.sky(&rays[lane])) {
                         Sky::Open => {}
                         Sky::Few(block) => {
-                            known[first + lane].look(simd, self, block, &rays[lane], interval, c)
+                            let (ray, filter) = (&rays[lane], &Filter::new(&rays[lane], &self.bounds));
+                            known[first + lane].look(simd, block, &Job { filter, ray, interval }, c);
                         }
                         Sky::Crowded => asked.push(first + lane),
                     }

@@ -5,15 +5,10 @@
 //! everything, and of one whose facets were rounded the few triangles around a corner that stands
 //! out a little. Where so few are left they are asked at once, and the tree is not.
 
-use super::wide::Bvh;
-use common::accel::Job;
-use common::counters::Counters;
-use common::geometry::{Geometry, Hit};
-use common::math::{DVec3, Interval, Vec3};
+use common::geometry::Geometry;
+use common::math::{DVec3, Vec3};
 use common::ray::Ray;
-use common::shape::filter::Filter;
 use common::shape::triangle_block::{LANES, TriangleBlock};
-use common::simd::Simd;
 
 /// Meshes of more triangles are not looked at: every plane is held against every corner.
 const MOST_TRIANGLES: usize = 256;
@@ -140,38 +135,5 @@ impl Horizons {
             Some(_) if height > side.top + 4.0 * nothing => Sky::Open,
             Some(index) => Sky::Few(&self.blocks[index as usize]),
         }
-    }
-}
-
-impl Bvh<'_> {
-    /// The better of `best` and the first hit among the triangles of a block.
-    #[inline(always)]
-    pub(super) fn nearest_of_few<S: Simd>(
-        &self,
-        simd: S,
-        block: &TriangleBlock,
-        ray: &Ray,
-        interval: Interval,
-        best: Option<Hit>,
-        c: &mut Counters,
-    ) -> Option<Hit> {
-        let filter = &Filter::new(ray, &self.bounds);
-        let (mut best, last) = (best, best.map_or(interval.max, |hit| hit.t));
-        Job { filter, ray, interval }.nearest_of(simd, block, block.len(), last, &mut best, c);
-        best
-    }
-
-    /// Whether any triangle of a block is hit.
-    #[inline(always)]
-    pub(super) fn any_of_few<S: Simd>(
-        &self,
-        simd: S,
-        block: &TriangleBlock,
-        ray: &Ray,
-        interval: Interval,
-        c: &mut Counters,
-    ) -> bool {
-        let filter = &Filter::new(ray, &self.bounds);
-        Job { filter, ray, interval }.any_of(simd, block, block.len(), c)
     }
 }

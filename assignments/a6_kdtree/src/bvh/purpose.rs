@@ -9,7 +9,6 @@ use common::accel::Job;
 use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::Interval;
-use common::ray::Ray;
 use common::shape::triangle_block::TriangleBlock;
 use common::simd::Simd;
 
@@ -56,15 +55,7 @@ pub trait Known: Copy {
     fn last(&self, max: f32) -> f32;
 
     /// Looks at the few triangles that could stop the ray.
-    fn look<S: Simd>(
-        &mut self,
-        simd: S,
-        bvh: &Bvh,
-        few: &TriangleBlock,
-        ray: &Ray,
-        interval: Interval,
-        c: &mut Counters,
-    );
+    fn look<S: Simd>(&mut self, simd: S, few: &TriangleBlock, job: &Job, c: &mut Counters);
 }
 
 impl Known for Option<Hit> {
@@ -81,16 +72,8 @@ impl Known for Option<Hit> {
     }
 
     #[inline(always)]
-    fn look<S: Simd>(
-        &mut self,
-        simd: S,
-        bvh: &Bvh,
-        few: &TriangleBlock,
-        ray: &Ray,
-        interval: Interval,
-        c: &mut Counters,
-    ) {
-        *self = bvh.nearest_of_few(simd, few, ray, interval, *self, c);
+    fn look<S: Simd>(&mut self, simd: S, few: &TriangleBlock, job: &Job, c: &mut Counters) {
+        job.nearest_of(simd, few, few.len(), self.last(job.interval.max), self, c);
     }
 }
 
@@ -108,16 +91,8 @@ impl Known for bool {
     }
 
     #[inline(always)]
-    fn look<S: Simd>(
-        &mut self,
-        simd: S,
-        bvh: &Bvh,
-        few: &TriangleBlock,
-        ray: &Ray,
-        interval: Interval,
-        c: &mut Counters,
-    ) {
-        *self |= bvh.any_of_few(simd, few, ray, interval, c);
+    fn look<S: Simd>(&mut self, simd: S, few: &TriangleBlock, job: &Job, c: &mut Counters) {
+        *self |= job.any_of(simd, few, few.len(), c);
     }
 }
 
@@ -139,7 +114,7 @@ impl Purpose for Nearest<'_> {
 
     #[inline(always)]
     fn last(&self, ray: usize) -> f32 {
-        self.best[ray].map_or(self.interval.max, |b| b.t)
+        self.best[ray].last(self.interval.max)
     }
 
     #[inline(always)]

@@ -18,7 +18,7 @@ pub const OCTANTS: usize = 8;
 
 /// Records of a stream that the second cache holds beside all else, and rays of which there are fewer
 /// make none.
-const MANY: usize = 4096;
+pub const MANY: usize = 4096;
 
 /// Nor do those of which there is less than one for so many nodes: lists would be short.
 const NODES_PER_RAY: usize = 16;

@@ -8,7 +8,7 @@ use super::purpose::Known;
 use super::sheets;
 use super::single::Query;
 use super::stack::Stack;
-use super::stream::{Inlet, Stream};
+use super::stream::{Inlet, MANY, Stream};
 use super::wide::Bvh;
 use common::accel::Accel;
 use common::counters::Counters;
@@ -113,7 +113,7 @@ impl Bvh<'_> {
         let (course, mut desk) = (Course { rays, interval }, Desk { stack: Stack::new(), stream });
         // Where other things stand beside the tree it is asked of few rays, which had better be put
         // together.
-        let size = if self.stands_alone() { PART } else { rays.len().max(PART) };
+        let size = if self.stands_alone() { PART } else { MANY };
         for first in (0..rays.len()).step_by(size) {
             let part = first..rays.len().min(first + size);
             let is_last = part.end == rays.len();
