@@ -6,7 +6,7 @@
 //! for one, step by step, so that each has the bits that it would have alone ([`crate::math::lanes`]).
 
 pub use fearless_simd::{
-    Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f32x4, f32x8, f64x4, f64x8, i32x4,
+    Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f32x4, f32x8, f64x4, f64x8, i32x4, i32x8,
     mask32x8, mask64x4, u32x8,
 };
 use std::sync::OnceLock;

@@ -101,13 +101,6 @@ impl Errors {
         [far / step * of(1.001), weight, of(64.0 * UNIT) * step, of(256.0 * UNIT) * far, floor]
     }
 
-    /// What eight bounds were made of, from two of them: powers of two times each.
-    #[inline(always)]
-    pub fn far_and_step<S: Simd>(simd: S, along: f32x8<S>, depth: f32x8<S>) -> [f32x8<S>; 2] {
-        let of = |x: f32| f32x8::splat(simd, x);
-        [depth * of(1.0 / (256.0 * UNIT)), along * of(1.0 / (64.0 * UNIT))]
-    }
-
     /// By how much of t two hits must differ for their order to be certain, beside the rounding
     /// of t itself; as [`crate::shape::ExactRay::margin`], but not smaller.
     #[inline(always)]

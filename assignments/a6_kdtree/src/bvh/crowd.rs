@@ -7,10 +7,10 @@
 use super::bundle::{Bundle, lanes_of};
 use super::frustum::starts_together;
 use super::packet::{Packet, RAYS};
+use super::pool::Inlet;
 use super::purpose::{At, Purpose};
 use super::single::Query;
 use super::slot::{DEEPEST, Slot};
-use super::stream::Inlet;
 use super::wide::Bvh;
 use common::accel::Job;
 use common::counters::Counters;
@@ -190,14 +190,12 @@ impl Bvh<'_> {
         }
     }
 
-    /// Lets the prepared rays join the stream, if there is one for them.
+    /// Lets the prepared rays join those that wait for a stream, if that is better.
     #[inline(always)]
-    fn join<S: Simd>(&self, simd: S, queue: &mut Queue, rays: usize, purpose: &impl Purpose) {
+    fn join<S: Simd>(&self, simd: S, queue: &mut Queue, rays: usize) {
         let Queue { packet, first, asked, inlet: Some(inlet), .. } = queue else { return };
-        if starts_together(simd, packet, &self.bounds) {
-            let last = |lane: usize| purpose.last(*first + lane.min(rays - 1));
-            let last = [last(0), last(1), last(2), last(3), last(4), last(5), last(6), last(7)];
-            *asked = inlet.stream.take(simd, packet, *asked, &inlet.eight(*first, rays), &last);
+        if inlet.pool.takes_all() || starts_together(simd, packet, &self.bounds) {
+            *asked = inlet.pool.take(simd, packet, *asked, &inlet.eight(*first, rays));
         }
     }
 
@@ -231,7 +229,7 @@ impl Bvh<'_> {
             queue.asked = 0;
             return;
         }
-        self.join(simd, queue, rays.len(), purpose);
+        self.join(simd, queue, rays.len());
         if alone || self.is_alone_better(simd, &queue.packet) {
             for lane in lanes_of(queue.asked) {
                 let query = Query { packet: &queue.packet, lane, ray: &rays[lane], interval };

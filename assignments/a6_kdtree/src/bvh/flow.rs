@@ -12,27 +12,17 @@ use super::purpose::{At, Purpose};
 use super::record::Record;
 use super::stack::Stack;
 use super::straggler::Straggler;
-use super::stream::{OCTANTS, Stream};
+use super::stream::Stream;
 use super::wide::{Bvh, Held, WIDTH, WideNode};
 use common::accel::Job;
 use common::counters::Counters;
 use common::math::Interval;
 use common::math::lanes::Stored;
-use common::ray::Ray;
 use common::shape::unfolded::Unfolded;
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8, u32x8};
 
 /// Fewer rays on a list are faster one by one.
 const FEW: usize = 12;
-
-/// What all rays of a stream share.
-#[derive(Clone, Copy)]
-pub struct Course<'a> {
-    /// All rays, those of the stream among them.
-    pub rays: &'a [Ray],
-    /// Where hits count.
-    pub interval: Interval,
-}
 
 /// The sides of a node's boxes, made wider, as rays of an octant meet them.
 struct Sides {
@@ -69,25 +59,23 @@ impl Bvh<'_> {
         &self,
         simd: S,
         stream: &mut Stream,
-        course: &Course,
+        interval: Interval,
         purpose: &mut impl Purpose,
         c: &mut Counters,
     ) {
         let (mut lists, mut stack) = (Lists::new(), Stack::new());
-        for octant in 0..OCTANTS {
-            lists.start(&stream.octants[octant]);
-            while let Some(task) = lists.pop() {
-                if !task.child.is_node() {
-                    self.reach(simd, task.child.held(), lists.of(&task), stream, course, purpose, c);
-                } else if task.len() >= FEW {
-                    c.cells += task.len() as u64;
-                    let node = &self.nodes[task.child.index()];
-                    pass(simd, &mut lists, &task, node, stream, octant, course.interval.min);
-                } else {
-                    for &record in lists.of(&task) {
-                        let straggler = Straggler { record: record as usize, octant, course };
-                        straggler.go_on(simd, self, task.child.index(), &mut stack, stream, purpose, c);
-                    }
+        lists.start(stream.rays.len());
+        while let Some(task) = lists.pop() {
+            if !task.child.is_node() {
+                self.reach(simd, task.child.held(), lists.of(&task), stream, interval, purpose, c);
+            } else if task.len() >= FEW {
+                c.cells += task.len() as u64;
+                let node = &self.nodes[task.child.index()];
+                pass(simd, &mut lists, &task, node, stream, interval.min);
+            } else {
+                for &ray in lists.of(&task) {
+                    let straggler = Straggler { ray: ray as usize, interval };
+                    straggler.go_on(simd, self, task.child.index(), &mut stack, stream, purpose, c);
                 }
             }
         }
@@ -102,11 +90,10 @@ impl Bvh<'_> {
         held: Held,
         list: &[u32],
         stream: &mut Stream,
-        course: &Course,
+        interval: Interval,
         purpose: &mut impl Purpose,
         c: &mut Counters,
     ) {
-        let Course { rays, interval } = *course;
         let unfolded = match held {
             Held::Block(index, len) => Some((Unfolded::of(simd, &self.blocks[index]), len)),
             _ => None,
@@ -121,10 +108,10 @@ impl Bvh<'_> {
                 c.intersections += (len * (count - left.count_ones() as usize)) as u64;
             }
             for lane in lanes_of(left) {
-                let place = records[lane] as usize;
-                let (record, ray) = (&mut stream.records[place], stream.numbers[place] as usize);
+                let ray = records[lane] as usize;
+                let record = &mut stream.records[ray];
                 let filter = record.filter();
-                let job = Job { filter: &filter, ray: &rays[ray], interval };
+                let job = Job { filter: &filter, ray: &stream.rays[ray], interval };
                 let last = purpose.leaf(simd, self, held, &At { job, ray, last: record.last() }, c);
                 record.end_at(last, filter.errors.margin());
             }
@@ -134,15 +121,8 @@ impl Bvh<'_> {
 
 /// Sends the rays of a list to the children of a node whose boxes they meet.
 #[inline(always)]
-fn pass<S: Simd>(
-    simd: S,
-    lists: &mut Lists,
-    task: &Task,
-    node: &WideNode,
-    stream: &Stream,
-    octant: usize,
-    min: f32,
-) {
+fn pass<S: Simd>(simd: S, lists: &mut Lists, task: &Task, node: &WideNode, stream: &Stream, min: f32) {
+    let octant = stream.octant;
     let Sides { near, far } = Sides::of(simd, node, octant, stream.room);
     let (list, places, mut ends) = lists.split(task);
     let children = node.children();

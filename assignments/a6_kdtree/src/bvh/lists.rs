@@ -50,11 +50,10 @@ impl Lists {
         Self { numbers: Vec::new(), tasks: Vec::new(), waiting: 0 }
     }
 
-    /// All of these at the root, and nobody elsewhere.
-    pub fn start(&mut self, records: &[u32]) {
+    /// The first `len` records at the root, and nobody elsewhere.
+    pub fn start(&mut self, len: usize) {
         self.numbers.clear();
-        self.numbers.extend_from_slice(records);
-        let len = records.len();
+        self.numbers.extend(0..len as u32);
         self.tasks.clear();
         self.tasks.push(Task { child: Child::node(0), first: 0, len, free: len });
         self.waiting = 1;
@@ -138,7 +137,7 @@ mod tests {
         let children = std::array::from_fn(|child| Child::node(child + 1));
         for low_first in [false, true] {
             let mut lists = Lists::new();
-            lists.start(&(0..19).collect::<Vec<_>>());
+            lists.start(19);
             let mut waiting = Vec::new();
             // Two levels: what waits at the first must survive the second.
             for _ in 0..2 {

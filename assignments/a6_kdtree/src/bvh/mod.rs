@@ -21,6 +21,7 @@ mod frustum;
 mod horizon;
 mod lists;
 pub(crate) mod packet;
+mod pool;
 mod price;
 mod purpose;
 mod record;

@@ -83,15 +83,6 @@ impl Packet {
     }
 }
 
-impl Packet {
-    /// The two numbers of which [`Errors::new`] makes the rays' bounds.
-    #[inline(always)]
-    pub fn far_and_step<S: Simd>(&self, simd: S) -> [f32x8<S>; 2] {
-        let [along, depth] = [&self.along, &self.depth].map(|v| f32x8::from_slice(simd, v));
-        Errors::far_and_step(simd, along, depth)
-    }
-}
-
 impl Packet<1> {
     /// Prepares one usable ray for a tree within `bounds`.
     #[inline(always)]

@@ -1,9 +1,9 @@
 //! A ray of a stream: one cache line, first what boxes want to know, then what triangles do.
 
 use super::beam::Beam;
-use super::packet::{Packet, RAYS};
+use super::packet::RAYS;
 use super::single;
-use common::math::lanes::{load, turn};
+use common::math::lanes::{Vectors, turn};
 use common::shape::filter::{Errors, Filter};
 use common::shape::unfolded::Rays;
 use common::simd::{Simd, SimdBase, f32x4, f32x8};
@@ -23,11 +23,16 @@ impl Record {
     /// No ray.
     pub const NONE: Self = Self { boxes: [[0.0; 4]; 2], line: [[0.0; 4]; 2] };
 
-    /// Makes records of a packet. Until where boxes and until where hits matter comes after it.
+    /// Makes records of origins, directions and their inverses, the two numbers of [`Errors::new`],
+    /// and until where boxes and until where hits matter.
     #[inline(always)]
-    pub fn put<S: Simd>(simd: S, records: &mut [Self], packet: &Packet, [limit, last]: [f32x8<S>; 2]) {
-        let [o, d] = [load(simd, &packet.origin), load(simd, &packet.direction)];
-        let (i, [far, step]) = (load(simd, &packet.inverse), packet.far_and_step(simd));
+    pub fn put<S: Simd>(
+        simd: S,
+        records: &mut [Self],
+        [o, d, i]: [Vectors<f32x8<S>>; 3],
+        [far, step]: [f32x8<S>; 2],
+        [limit, last]: [f32x8<S>; 2],
+    ) {
         let offset = [o[0] * i[0], o[1] * i[1], o[2] * i[2]];
         put_quarter(simd, records, [i[0], i[1], i[2], offset[0]], |r| &mut r.boxes[0]);
         put_quarter(simd, records, [offset[1], offset[2], limit, last], |r| &mut r.boxes[1]);

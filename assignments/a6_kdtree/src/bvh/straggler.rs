@@ -1,6 +1,5 @@
 //! A ray of a stream that goes on alone.
 
-use super::flow::Course;
 use super::purpose::{At, Purpose};
 use super::record::Record;
 use super::stack::Stack;
@@ -9,19 +8,18 @@ use super::walk::{Visit, walk};
 use super::wide::{Bvh, WideNode};
 use common::accel::Job;
 use common::counters::Counters;
+use common::math::Interval;
 use common::simd::Simd;
 
 /// Which ray it is.
-pub struct Straggler<'a> {
-    /// The number of its record.
-    pub record: usize,
-    /// The signs of its direction.
-    pub octant: usize,
-    /// What it shares with all rays of the stream.
-    pub course: &'a Course<'a>,
+pub struct Straggler {
+    /// Its number in the stream.
+    pub ray: usize,
+    /// Where hits count.
+    pub interval: Interval,
 }
 
-impl Straggler<'_> {
+impl Straggler {
     /// Follows it through the tree below one node.
     #[expect(clippy::too_many_arguments, reason = "all of them belong to one loop")]
     #[inline(always)]
@@ -35,14 +33,14 @@ impl Straggler<'_> {
         purpose: &mut impl Purpose,
         c: &mut Counters,
     ) {
-        let ray = stream.numbers[self.record] as usize;
-        let record = &stream.records[self.record];
+        let Self { ray, interval } = *self;
+        let Stream { records, rays, octant, room } = stream;
+        let record = &mut records[ray];
         let (max, last, filter) = (record.limit(), record.last(), record.filter());
-        let beam = record.beam(stream.room, self.octant as u32).spread(simd, self.course.interval.min);
+        let beam = record.beam(*room, *octant as u32).spread(simd, interval.min);
         // Hidden, or the compiler would spread all of it out for every ray; see `single`.
         let filter = std::hint::black_box(&filter);
-        let job = Job { filter, ray: &self.course.rays[ray], interval: self.course.interval };
-        let record = &mut stream.records[self.record];
+        let job = Job { filter, ray: &rays[ray], interval };
         let mut search = Search { bvh, purpose, at: At { job, ray, last }, record };
         walk(simd, (bvh, from), stack, max, &beam, &mut search, c);
     }

@@ -1,17 +1,14 @@
-//! Many rays that go from node to node in lists, prepared for that.
-//!
-//! All boxes are made wider by one bound of the errors, so that a record need not hold a ray's own.
-//! With u = 2⁻²⁴, sides and origins within 3·G of each other along every axis, G being the greatest
-//! coordinate of the tree's bounds, a side s that is made wider by r is met at (s ± r)·i − o·i, which
-//! is wrong by u·3·G·|i| at most for the wider side, the inverse, the two products and the difference
-//! each; r = 16u·3·G is taken.
+//! Many rays of one octant that go from node to node in lists.
 
-use super::bundle::lanes_of;
-use super::packet::{Packet, RAYS, limits};
+use super::abreast::columns;
+use super::packet::{RAYS, limits};
+use super::purpose::Known;
 use super::record::Record;
+use super::slabs::Slabs;
 use common::math::Bounds;
-use common::math::lanes::load;
-use common::simd::{Simd, SimdBase, SimdMask, f32x8};
+use common::ray::Ray;
+use common::shape::filter::Errors;
+use common::simd::{Simd, SimdBase, f32x8};
 
 /// Ways that signs of directions can be.
 pub const OCTANTS: usize = 8;
@@ -20,166 +17,68 @@ pub const OCTANTS: usize = 8;
 /// make none.
 pub const MANY: usize = 4096;
 
-/// Nor do those of which there is less than one for so many nodes: lists would be short.
-const NODES_PER_RAY: usize = 16;
-
-/// Farther from the scene's origin than this, times the greatest coordinate, no ray may start.
-const FARTHEST: f32 = 2.0;
-
-/// 16u for everything within [`FARTHEST`] and 1.
-const ROOM: f32 = (1.0 + FARTHEST) / (1 << 20) as f32;
-
-/// Products of a length and an inverse beyond this, or below its inverse, could overflow or underflow.
-const ORDINARY: f32 = (1u64 << 60) as f32;
-
-/// The rays of a stream.
+/// The rays of a stream, copied together: elsewhere they may lie far apart.
 pub struct Stream {
-    /// Of packets of rays; not all of a packet need be in the stream.
+    /// What boxes and triangles want to know of each ray.
     pub records: Vec<Record>,
-    /// Which of all rays each record belongs to.
-    pub numbers: Vec<u32>,
-    /// The records of those that are in the stream, by the signs of their directions, a bit for each
-    /// axis.
-    pub octants: [Vec<u32>; OCTANTS],
+    /// The rays.
+    pub rays: Vec<Ray>,
+    /// The signs of their directions, a bit for each axis.
+    pub octant: usize,
     /// By how much boxes are made wider.
     pub room: f32,
-    greatest: f32,
 }
 
 impl Stream {
-    /// An empty one, if so many rays are worth it in a tree of so many nodes within `bounds`.
-    pub fn of_many(rays: usize, nodes: usize, bounds: &Bounds) -> Option<Self> {
-        if rays < MANY || MANY * NODES_PER_RAY < nodes {
-            return None;
-        }
-        let greatest = bounds.min.abs().max(bounds.max.abs()).max_element();
-        Some(Self {
-            records: Vec::new(),
-            numbers: Vec::new(),
-            octants: [const { Vec::new() }; OCTANTS],
-            room: greatest * ROOM,
-            greatest,
-        })
+    /// Of nobody, for boxes that are made so much wider.
+    pub fn new(room: f32) -> Self {
+        Self { records: Vec::new(), rays: Vec::new(), octant: 0, room }
     }
 
-    /// Whether nobody is in it.
-    pub fn is_empty(&self) -> bool {
-        self.records.is_empty()
-    }
-
-    /// Whether those that are in it had better flow before others join.
-    pub fn is_full(&self) -> bool {
-        self.records.len() >= MANY
-    }
-
-    /// Forgets all that are in it.
-    pub fn clear(&mut self) {
-        self.records.clear();
-        self.numbers.clear();
-        for octant in &mut self.octants {
-            octant.clear();
-        }
-    }
-
-    /// Takes those of a packet's rays that are `asked` for, a bit for each. They have these numbers,
-    /// and hits later than `last` do not matter to them. Returns those that it cannot take: they run
-    /// along an axis, or start far away.
+    /// Takes those of all rays that have these numbers and are of one octant, in place of others.
+    /// So much is `known` of each; `max` is where hits end to count, `bounds` are the tree's.
     #[inline(always)]
-    pub fn take<S: Simd>(
+    pub fn fill<S: Simd>(
         &mut self,
         simd: S,
-        packet: &Packet,
-        asked: u32,
-        numbers: &[u32; RAYS],
-        last: &[f32; RAYS],
-    ) -> u32 {
-        let of = |x: f32| f32x8::splat(simd, x);
-        let (origin, inverse) = (load(simd, &packet.origin), load(simd, &packet.inverse));
-        let mut fit = asked;
-        for axis in 0..3 {
-            let product = inverse[axis].abs() * of(self.greatest);
-            let ordinary = product.simd_lt(of(ORDINARY)) & product.simd_gt(of(1.0 / ORDINARY));
-            let is_near = origin[axis].abs().simd_le(of(self.greatest * FARTHEST));
-            fit &= (ordinary & is_near).to_bitmask() as u32;
+        (octant, numbers): (usize, &[u32]),
+        rays: &[Ray],
+        known: &[impl Known],
+        max: f32,
+        bounds: &Bounds,
+    ) {
+        self.octant = octant;
+        self.rays.clear();
+        self.rays.extend(numbers.iter().map(|&number| rays[number as usize]));
+        // Those behind the last ray repeat it, and are on no list.
+        self.records.resize(numbers.len().next_multiple_of(RAYS), Record::NONE);
+        for (first, records) in (0..).step_by(RAYS).zip(self.records.chunks_mut(RAYS)) {
+            let end = numbers.len().min(first + RAYS);
+            let mut last = [max; RAYS];
+            for (last, known) in last.iter_mut().zip(&known[first..end]) {
+                *last = known.last(max);
+            }
+            record(simd, &self.rays[first..end], &last, bounds, records);
         }
-        if fit == 0 {
-            return asked;
-        }
-        let last = f32x8::from_slice(simd, last);
-        let limit = limits(simd, last, f32x8::from_slice(simd, &packet.reach));
-        let first = self.records.len();
-        self.numbers.extend_from_slice(numbers);
-        // Not from a slice, which would be copied by a call.
-        self.records.resize(first + RAYS, Record::NONE);
-        Record::put(simd, &mut self.records[first..], packet, [limit, last]);
-        for lane in lanes_of(fit) {
-            let [bx, by, bz] = packet.backward.map(|rays| rays >> lane & 1);
-            self.octants[(bx | by << 1 | bz << 2) as usize].push((first + lane) as u32);
-        }
-        asked & !fit
     }
 }
 
-/// Where some of all rays join a stream.
-pub struct Inlet<'s> {
-    /// The stream.
-    pub stream: &'s mut Stream,
-    /// Which of all rays is the first at hand …
-    pub first: usize,
-    /// … and how far behind it the others are, if they are not one after the other.
-    pub numbers: &'s [u32],
-}
-
-impl Inlet<'_> {
-    /// Which of all rays those at hand are from `first` on, up to the eighth or the last of `rays`,
-    /// which is repeated.
-    #[inline(always)]
-    pub fn eight(&self, first: usize, rays: usize) -> [u32; RAYS] {
-        let number = |lane: usize| {
-            let ray = first + lane.min(rays - 1);
-            let behind = if self.numbers.is_empty() { ray as u32 } else { self.numbers[ray] };
-            self.first as u32 + behind
-        };
-        [number(0), number(1), number(2), number(3), number(4), number(5), number(6), number(7)]
+/// Prepares one to eight rays.
+#[inline(always)]
+fn record<S: Simd>(simd: S, rays: &[Ray], last: &[f32; RAYS], bounds: &Bounds, records: &mut [Record]) {
+    let [origin, direction] = columns(simd, rays, rays[rays.len() - 1]);
+    let zero = f32x8::splat(simd, 0.0);
+    let (mut inverse, mut far, mut step) = (origin, zero, zero);
+    for axis in 0..3 {
+        let (o, d) = (origin[axis], direction[axis]);
+        let [min, max] = [f32x8::splat(simd, bounds.min[axis]), f32x8::splat(simd, bounds.max[axis])];
+        let slab = Slabs::new(simd, o, d, min, max);
+        inverse[axis] = slab.inverse;
+        far = far.max(slab.far);
+        step = step.max(d.abs());
     }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use common::math::Vec3;
-    use common::ray::Ray;
-    use common::simd::{dispatch, level};
-
-    const BOUNDS: Bounds = Bounds { min: Vec3::new(-1.0, 0.0, -3.0), max: Vec3::new(2.0, 4.0, 1.0) };
-
-    #[test]
-    fn a6t2_streams_are_for_many_rays() {
-        let is_made = |rays, nodes| Stream::of_many(rays, nodes, &BOUNDS).is_some();
-        assert!(is_made(MANY, 1) && is_made(MANY, MANY * NODES_PER_RAY));
-        assert!(!is_made(MANY - 1, 1) && !is_made(1 << 30, MANY * NODES_PER_RAY + 1));
-    }
-
-    #[test]
-    fn a6t2_a_stream_takes_rays_that_its_boxes_are_wide_enough_for() {
-        let good = Ray::new(Vec3::new(1.0, 2.0, -7.9), Vec3::new(0.1, -2.0, 0.3));
-        let mut rays = [good; RAYS];
-        rays[1].direction.y = 0.0;
-        rays[2].direction.y = 1e-25;
-        rays[3].origin.z = -8.1;
-        rays[4].direction *= 1e30;
-        rays[5].direction = -good.direction;
-        let mut stream = Stream::of_many(MANY, 1, &BOUNDS).unwrap();
-        let numbers = std::array::from_fn(|i| 100 + i as u32);
-        let left = dispatch!(level(), s => {
-            let packet = Packet::of(s, &rays, &BOUNDS);
-            stream.take(s, &packet, 0b1011_1111, &numbers, &[9.0; RAYS])
-        });
-        assert_eq!(left, 0b1_1110, "the others are taken, but the one that was not asked for");
-        assert_eq!((&stream.octants[2], &stream.octants[5]), (&vec![0, 7], &vec![5]));
-        assert_eq!((stream.numbers[7], stream.records[7].last()), (107, 9.0));
-        assert!(!stream.is_empty());
-        stream.clear();
-        assert!(stream.is_empty() && stream.octants.iter().all(Vec::is_empty));
-    }
+    let [reach, ..] = Errors::abreast(simd, far, step);
+    let last = f32x8::from_slice(simd, last);
+    let limit = limits(simd, last, reach);
+    Record::put(simd, records, [origin, direction, inverse], [far, step], [limit, last]);
 }

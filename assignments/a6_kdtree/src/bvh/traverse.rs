@@ -1,14 +1,14 @@
 //! Questions to the tree: one ray, or many.
 
 use super::abreast::{Abreast, Firsts, RAYS};
-use super::flow::Course;
 use super::frustum::Frustum;
 use super::packet::Packet;
+use super::pool::{Inlet, Pool};
 use super::purpose::Known;
 use super::sheets;
 use super::single::Query;
 use super::stack::Stack;
-use super::stream::{Inlet, MANY, Stream};
+use super::stream::{MANY, Stream};
 use super::wide::Bvh;
 use common::accel::Accel;
 use common::counters::Counters;
@@ -109,36 +109,65 @@ impl Bvh<'_> {
 
     /// Asks the tree about all rays, of which so much is `known`.
     fn ask<T: Known>(&self, rays: &[Ray], interval: Interval, known: &mut [T], c: &mut Counters) {
-        let stream = Stream::of_many(rays.len(), self.nodes.len(), &self.bounds);
-        let (course, mut desk) = (Course { rays, interval }, Desk { stack: Stack::new(), stream });
+        let pool = Pool::of_many(rays.len(), self.nodes.len(), &self.bounds);
+        let mut desk = Desk { stack: Stack::new(), pool };
         // Where other things stand beside the tree it is asked of few rays, which had better be put
         // together.
         let size = if self.stands_alone() { PART } else { MANY };
         for first in (0..rays.len()).step_by(size) {
             let part = first..rays.len().min(first + size);
             let is_last = part.end == rays.len();
-            dispatch!(simd::level(), s => self.ask_part(s, &course, part, known, &mut desk, c));
-            if let Some(stream) = desk.stream.as_mut().filter(|s| s.is_full() || is_last && !s.is_empty()) {
-                let purpose = &mut T::purpose(interval, known, &mut desk.stack);
-                dispatch!(simd::level(), s => self.flow(s, stream, &course, purpose, c));
-                stream.clear();
+            dispatch!(simd::level(), s => self.ask_part(s, rays, part, interval, known, &mut desk, c));
+            if let Some(pool) = desk.pool.as_mut().filter(|pool| pool.is_full() || is_last) {
+                self.let_flow(pool, rays, interval, known, &mut desk.stack, c);
             }
         }
     }
 
-    /// Asks the tree about some of all rays, but those that join the stream.
+    /// Asks the tree about all rays of the pool.
+    fn let_flow<T: Known>(
+        &self,
+        pool: &mut Pool,
+        rays: &[Ray],
+        interval: Interval,
+        known: &mut [T],
+        stack: &mut Stack,
+        c: &mut Counters,
+    ) {
+        pool.sort();
+        let (mut stream, mut known_of_stream) = (Stream::new(pool.room()), Vec::new());
+        while let Some((octant, numbers)) = pool.next() {
+            known_of_stream.clear();
+            known_of_stream.extend(numbers.iter().map(|&number| known[number as usize]));
+            dispatch!(simd::level(), s => {
+                let next = (octant, numbers);
+                stream.fill(s, next, rays, &known_of_stream, interval.max, &self.bounds);
+            });
+            dispatch!(simd::level(), s => {
+                let purpose = &mut T::purpose(interval, &mut known_of_stream, stack);
+                self.flow(s, &mut stream, interval, purpose, c);
+            });
+            for (&number, value) in numbers.iter().zip(&known_of_stream) {
+                known[number as usize] = *value;
+            }
+        }
+    }
+
+    /// Asks the tree about some of all rays, but those that wait for a stream.
+    #[expect(clippy::too_many_arguments, reason = "all of them belong to one loop")]
     #[inline(always)]
     fn ask_part<S: Simd, T: Known>(
         &self,
         simd: S,
-        course: &Course,
+        rays: &[Ray],
         part: Range<usize>,
+        interval: Interval,
         known: &mut [T],
         desk: &mut Desk,
         c: &mut Counters,
     ) {
-        let (Course { rays, interval }, first) = (*course, part.start);
-        let Desk { stack, stream } = desk;
+        let first = part.start;
+        let Desk { stack, pool } = desk;
         self.ask_for(
             simd,
             &rays[part.clone()],
@@ -146,7 +175,7 @@ impl Bvh<'_> {
             &mut known[part],
             #[inline(always)]
             |rays, known, numbers, c| {
-                let inlet = stream.as_mut().map(|stream| Inlet { stream, first, numbers });
+                let inlet = pool.as_mut().map(|pool| Inlet { pool, first, numbers });
                 self.follow(simd, rays, inlet, interval, &mut T::purpose(interval, known, stack), c);
             },
             c,
@@ -157,7 +186,7 @@ impl Bvh<'_> {
 /// What a call works with.
 struct Desk {
     stack: Stack,
-    stream: Option<Stream>,
+    pool: Option<Pool>,
 }
 
 /// Rays of one call that are looked at before the next are: so many stay in the nearest cache.

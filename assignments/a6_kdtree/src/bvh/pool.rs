@@ -1,0 +1,262 @@
+//! Rays that wait for others like them, before they flow through the tree together.
+//!
+//! Rays of one octant that start in one place meet mostly the same nodes, however far apart they were
+//! in what was asked. So those that wait are sorted by octant and, within each, by cells of space along
+//! a Morton curve: what flows together then is as much alike as it can be.
+//!
+//! All boxes are made wider by one bound of the errors, so that a record need not hold a ray's own.
+//! With u = 2⁻²⁴, sides and origins within 3·G of each other along every axis, G being the greatest
+//! coordinate of the tree's bounds, a side s that is made wider by r is met at (s ± r)·i − o·i, which
+//! is wrong by u·3·G·|i| at most for the wider side, the inverse, the two products and the difference
+//! each; r = 16u·3·G is taken.
+
+use super::bundle::lanes_of;
+use super::packet::{Packet, RAYS};
+use super::stream::{MANY, OCTANTS};
+use common::math::Bounds;
+use common::math::lanes::{Vectors, load};
+use common::simd::{Select, Simd, SimdBase, SimdMask, f32x8, i32x8};
+
+/// Most rays that wait: more would not make streams much more alike, and take more memory.
+const MOST: usize = 1 << 16;
+
+/// Rays from one place make lists long enough if there is one of them for so many nodes.
+const NODES_PER_RAY: usize = 16;
+
+/// Farther from the scene's origin than this, times the greatest coordinate, no ray may start.
+const FARTHEST: f32 = 2.0;
+
+/// 16u for everything within [`FARTHEST`] and 1.
+const ROOM: f32 = (1.0 + FARTHEST) / (1 << 20) as f32;
+
+/// Products of a length and an inverse beyond this, or below its inverse, could overflow or underflow.
+const ORDINARY: f32 = (1u64 << 60) as f32;
+
+/// Bits of a cell's place along one axis.
+const BITS: u32 = 3;
+
+/// Cells of all octants.
+const CELLS: usize = OCTANTS << (3 * BITS);
+
+/// Rays that wait.
+pub struct Pool {
+    /// Which of all rays they are, and their cells.
+    waiting: Vec<(u32, u16)>,
+    /// Which of all rays they are in the order of their cells, and how many have flown.
+    order: Vec<u32>,
+    flown: usize,
+    /// Where each octant ends in that.
+    ends: [usize; OCTANTS],
+    bounds: Bounds,
+    greatest: f32,
+    /// Whether rays may start anywhere.
+    takes_all: bool,
+}
+
+impl Pool {
+    /// An empty one, if so many rays are worth it in a tree of so many nodes within `bounds`.
+    pub fn of_many(rays: usize, nodes: usize, bounds: &Bounds) -> Option<Self> {
+        if rays < MANY || MANY * NODES_PER_RAY < nodes {
+            return None;
+        }
+        Some(Self {
+            waiting: Vec::new(),
+            order: Vec::new(),
+            flown: 0,
+            ends: [0; OCTANTS],
+            bounds: *bounds,
+            greatest: bounds.min.abs().max(bounds.max.abs()).max_element(),
+            takes_all: nodes <= MANY.min(rays.min(MOST) / OCTANTS),
+        })
+    }
+
+    /// By how much boxes are made wider.
+    pub fn room(&self) -> f32 {
+        self.greatest * ROOM
+    }
+
+    /// Whether rays that start anywhere are better off here; else only those that start beside each
+    /// other are.
+    #[inline(always)]
+    pub fn takes_all(&self) -> bool {
+        self.takes_all
+    }
+
+    /// Whether those that wait had better flow before others come.
+    pub fn is_full(&self) -> bool {
+        self.waiting.len() >= MOST
+    }
+
+    /// Takes those of a packet's rays that are `asked` for, a bit for each, which have these numbers.
+    /// Returns those that it cannot take: they run along an axis, or start far away.
+    #[inline(always)]
+    pub fn take<S: Simd>(&mut self, simd: S, packet: &Packet, asked: u32, numbers: &[u32; RAYS]) -> u32 {
+        let of = |x: f32| f32x8::splat(simd, x);
+        let (origin, inverse) = (load(simd, &packet.origin), load(simd, &packet.inverse));
+        let mut fit = asked;
+        for axis in 0..3 {
+            let product = inverse[axis].abs() * of(self.greatest);
+            let ordinary = product.simd_lt(of(ORDINARY)) & product.simd_gt(of(1.0 / ORDINARY));
+            let is_near = origin[axis].abs().simd_le(of(self.greatest * FARTHEST));
+            fit &= (ordinary & is_near).to_bitmask() as u32;
+        }
+        let mut cells = [0; RAYS];
+        self.cell(simd, origin, inverse).store_slice(&mut cells);
+        for lane in lanes_of(fit) {
+            self.waiting.push((numbers[lane], cells[lane] as u16));
+        }
+        asked & !fit
+    }
+
+    /// The cells of eight rays: the signs of their directions, then the place of their origins.
+    #[inline(always)]
+    fn cell<S: Simd>(&self, simd: S, origin: Vectors<f32x8<S>>, inverse: Vectors<f32x8<S>>) -> i32x8<S> {
+        let of = |x: f32| f32x8::splat(simd, x);
+        let bit = |x: u32| i32x8::splat(simd, x as i32);
+        let (size, mut cell) = (self.bounds.size().max_element(), bit(0));
+        for axis in 0..3 {
+            // Cells are cubes. Of a flat scene there are fewer, of a point none that counts.
+            let scale = ((1 << BITS) as f32 / size).min(f32::MAX);
+            let place = (origin[axis] - of(self.bounds.min[axis])) * of(scale);
+            let place = simd.cvt_i32_f32x8(place.max(of(0.0)).min(of(((1 << BITS) - 1) as f32)));
+            for i in 0..BITS {
+                cell = cell | (place & bit(1 << i)) << (2 * i + axis as u32);
+            }
+            let backward = inverse[axis].simd_lt(of(0.0));
+            cell = cell | backward.select(bit(1 << (3 * BITS + axis as u32)), bit(0));
+        }
+        cell
+    }
+
+    /// Sorts those that wait, who flow next. Nobody else may come before all of them have.
+    pub fn sort(&mut self) {
+        let mut ends = [0; CELLS];
+        for (_, cell) in &self.waiting {
+            ends[usize::from(*cell)] += 1;
+        }
+        // Where each cell starts, which moves to where it ends.
+        let mut end = 0;
+        for cell in &mut ends {
+            (*cell, end) = (end, end + *cell);
+        }
+        self.order.resize(end, 0);
+        for (number, cell) in self.waiting.drain(..) {
+            let place = &mut ends[usize::from(cell)];
+            self.order[*place] = number;
+            *place += 1;
+        }
+        self.ends = std::array::from_fn(|octant| ends[(octant + 1) * (CELLS / OCTANTS) - 1]);
+        self.flown = 0;
+    }
+
+    /// Who flows next, and the octant of all of them. All streams of an octant are about equally long.
+    pub fn next(&mut self) -> Option<(usize, &[u32])> {
+        let first = self.flown;
+        let octant = self.ends.iter().position(|end| *end > first)?;
+        let left = self.ends[octant] - first;
+        self.flown += left.div_ceil(left.div_ceil(MANY));
+        Some((octant, &self.order[first..self.flown]))
+    }
+}
+
+/// Where some of all rays join those that wait.
+pub struct Inlet<'p> {
+    /// Those that wait.
+    pub pool: &'p mut Pool,
+    /// Which of all rays is the first at hand …
+    pub first: usize,
+    /// … and how far behind it the others are, if they are not one after the other.
+    pub numbers: &'p [u32],
+}
+
+impl Inlet<'_> {
+    /// Which of all rays those at hand are from `first` on, up to the eighth or the last of `rays`,
+    /// which is repeated.
+    #[inline(always)]
+    pub fn eight(&self, first: usize, rays: usize) -> [u32; RAYS] {
+        let number = |lane: usize| {
+            let ray = first + lane.min(rays - 1);
+            let behind = if self.numbers.is_empty() { ray as u32 } else { self.numbers[ray] };
+            self.first as u32 + behind
+        };
+        [number(0), number(1), number(2), number(3), number(4), number(5), number(6), number(7)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use common::math::Vec3;
+    use common::ray::Ray;
+    use common::simd::{dispatch, level};
+
+    const BOUNDS: Bounds = Bounds { min: Vec3::new(-1.0, 0.0, -3.0), max: Vec3::new(2.0, 4.0, 1.0) };
+
+    /// Takes rays eight at a time, whose numbers begin at 100; returns those of the last eight left.
+    fn take(pool: &mut Pool, rays: &[Ray], asked: u32) -> u32 {
+        let mut left = 0;
+        for (rays, first) in rays.chunks(RAYS).zip((100..).step_by(RAYS)) {
+            let numbers = std::array::from_fn(|i| first + i as u32);
+            left = dispatch!(level(), s => {
+                let packet = Packet::of(s, rays, &BOUNDS);
+                pool.take(s, &packet, asked, &numbers)
+            });
+        }
+        left
+    }
+
+    #[test]
+    fn a6t2_pools_are_for_many_rays() {
+        let is_made = |rays, nodes| Pool::of_many(rays, nodes, &BOUNDS).is_some();
+        assert!(is_made(MANY, 1) && is_made(MANY, MANY * NODES_PER_RAY));
+        assert!(!is_made(MANY - 1, 1) && !is_made(1 << 30, MANY * NODES_PER_RAY + 1));
+        let takes_all = |rays, nodes| Pool::of_many(rays, nodes, &BOUNDS).unwrap().takes_all();
+        assert!(takes_all(MANY, MANY / OCTANTS) && takes_all(MOST, MANY));
+        assert!(!takes_all(MANY, MANY) && !takes_all(1 << 30, MANY + 1));
+    }
+
+    #[test]
+    fn a6t2_a_pool_takes_rays_that_its_boxes_are_wide_enough_for() {
+        let good = Ray::new(Vec3::new(1.0, 2.0, -7.9), Vec3::new(0.1, -2.0, 0.3));
+        let mut rays = [good; RAYS];
+        rays[1].direction.y = 0.0;
+        rays[2].direction.y = 1e-25;
+        rays[3].origin.z = -8.1;
+        rays[4].direction *= 1e30;
+        rays[5].direction = -good.direction;
+        let mut pool = Pool::of_many(MANY, 1, &BOUNDS).unwrap();
+        let left = take(&mut pool, &rays, 0b1011_1111);
+        assert_eq!(left, 0b1_1110, "the others are taken, but the one that was not asked for");
+        pool.sort();
+        assert_eq!(pool.next(), Some((2, &[100, 107][..])));
+        assert_eq!(pool.next(), Some((5, &[105][..])));
+        assert_eq!(pool.next(), None, "all have flown");
+        pool.sort();
+        assert_eq!(pool.next(), None, "nobody waits");
+    }
+
+    #[test]
+    fn a6t2_streams_are_sorted_by_octant_and_place_and_about_equally_long() {
+        let direction = [Vec3::new(1.0, 2.0, -3.0), Vec3::new(1.0, 2.0, 3.0)];
+        let ray = |i: usize| {
+            let place = [-0.9, 1.9, 0.6, -0.2][i / 2 % 4];
+            Ray::new(Vec3::new(place, 1.0, 0.0), direction[i % 2])
+        };
+        let rays: Vec<Ray> = (0..3 * MANY).map(ray).collect();
+        let mut pool = Pool::of_many(MANY, 1, &BOUNDS).unwrap();
+        take(&mut pool, &rays, 0xFF);
+        pool.sort();
+        let mut all = Vec::new();
+        while let Some((octant, numbers)) = pool.next() {
+            assert_eq!(numbers.len(), MANY * 3 / 4, "two streams for each octant");
+            let ray = |number: u32| rays[number as usize - 100];
+            assert!(numbers.iter().all(|n| (ray(*n).direction.z < 0.0) == (octant == 4)));
+            let place = |number: u32| (ray(number).origin.x, number);
+            assert!(numbers.is_sorted_by(|a, b| place(*a) < place(*b)));
+            all.extend_from_slice(numbers);
+        }
+        all.sort_unstable();
+        assert!(all.iter().zip(100..).all(|(number, expected)| *number == expected));
+        assert_eq!(all.len(), rays.len(), "each flows once");
+    }
+}
