@@ -4,6 +4,7 @@
 mod world;
 
 use a6_kdtree::bvh::Bvh;
+use a6_kdtree::kdtree::{KdTree, Options, Rule};
 use common::accel::Accel;
 use common::counters::Counters;
 use common::geometry::Geometry;
@@ -42,9 +43,14 @@ fn bounces(places: usize) -> Vec<Ray> {
     rays
 }
 
+/// A hierarchy, and kd-trees by two rules.
+fn trees(geometry: &Geometry) -> [Box<dyn Accel + '_>; 3] {
+    let kdtree = |rule| Box::new(KdTree::new(geometry, Options { rule, ..Options::default() }));
+    [Box::new(Bvh::new(geometry)), kdtree(Rule::Sah), kdtree(Rule::Median)]
+}
+
 /// Asks about all rays at once, and about each; returns how many hit, and what was looked at both ways.
-fn agree(geometry: &Geometry, rays: &[Ray], interval: Interval) -> (usize, [Counters; 2]) {
-    let tree = Bvh::new(geometry);
+fn agree(tree: &dyn Accel, rays: &[Ray], interval: Interval) -> (usize, [Counters; 2]) {
     let (mut together, mut alone) = (Counters::default(), Counters::default());
     let (mut hits, mut any) = (vec![None; rays.len()], vec![false; rays.len()]);
     tree.nearest_many(rays, interval, &mut hits, &mut together);
@@ -64,15 +70,21 @@ fn a6t2_streams_of_rays_that_start_together_find_what_each_finds() {
     {
         let count = if bodies.is_empty() { 1 } else { 3 };
         let world = geometry(&format!("TriangleMesh {{ obj_file lumpy_{side} }} {bodies}"), count);
-        for interval in INTERVALS {
-            let (hits, [together, alone]) = agree(&world, &rays, interval);
-            assert!(hits > 2000, "{hits}");
-            // In a stream a list's boxes are asked before any of their leaves: not the same nodes.
-            assert_ne!(together.cells, alone.cells, "no stream?");
-            // Nor many more, though some rays in every packet are beyond what boxes are tested for.
-            assert!(together.cells < alone.cells * 3 / 2, "{} {}", together.cells, alone.cells);
-            assert!(together.intersections < alone.intersections * 3 / 2);
-            assert_eq!(together.exact_tests, alone.exact_tests);
+        for (number, tree) in trees(&world).iter().enumerate() {
+            for interval in INTERVALS {
+                let (hits, [together, alone]) = agree(&**tree, &rays, interval);
+                assert!(hits > 2000, "{hits}");
+                // In a stream a list's boxes are asked before any of their leaves: not the same nodes.
+                // A kd-tree's are for triangles alone, and in a tiny one nothing is saved or lost.
+                let shows = number == 0 || side > 5 && bodies.is_empty();
+                assert!(together.cells != alone.cells || !shows, "no stream?");
+                // Nor many more, though some rays in every packet are beyond what boxes are tested for.
+                assert!(together.cells < alone.cells * 3 / 2, "{} {}", together.cells, alone.cells);
+                assert!(together.intersections < alone.intersections * 3 / 2);
+                let difference = together.exact_tests.abs_diff(alone.exact_tests);
+                let most = if number == 0 { 0 } else { alone.exact_tests / 20 };
+                assert!(difference <= most, "{difference}");
+            }
         }
     }
 }
@@ -81,11 +93,13 @@ fn a6t2_streams_of_rays_that_start_together_find_what_each_finds() {
 fn a6t2_streams_of_rays_from_everywhere_find_what_each_finds() {
     let (squares, far) = ties();
     let ball = lumpy_ball(10);
-    let mixed: Vec<Ray> = bundles(&ball, 1500).into_iter().flatten().collect();
-    assert!(mixed.len() > 16384, "more than one stream takes: {}", mixed.len());
-    for interval in INTERVALS {
-        assert!(agree(&ball, &mixed, interval).0 > 1000);
-        agree(&squares, &far, interval);
+    let mixed: Vec<Ray> = bundles(&ball, 9000).into_iter().flatten().collect();
+    assert!(mixed.len() > 2 << 16, "more than wait at a time: {}", mixed.len());
+    for (tree, interval) in trees(&ball).iter().flat_map(|tree| INTERVALS.map(|i| (tree, i))) {
+        assert!(agree(&**tree, &mixed, interval).0 > 1000);
+    }
+    for (tree, interval) in trees(&squares).iter().flat_map(|tree| INTERVALS.map(|i| (tree, i))) {
+        agree(&**tree, &far, interval);
     }
 }
 
@@ -93,6 +107,7 @@ fn a6t2_streams_of_rays_from_everywhere_find_what_each_finds() {
 fn a6t2_streams_get_through_trees_without_order() {
     // Balls in one place cannot be told apart by any tree.
     let balls = "Sphere { center 0.1 0 0 radius 0.5 } ".repeat(3000);
-    let (hits, _) = agree(&geometry(&balls, 3000), &bounces(70), Interval::FORWARD);
+    let world = geometry(&balls, 3000);
+    let (hits, _) = agree(&Bvh::new(&world), &bounces(70), Interval::FORWARD);
     assert!(hits > 100, "{hits}");
 }

@@ -130,7 +130,8 @@ impl Bvh<'_> {
                         Sky::Open => {}
                         Sky::Few(block) => {
                             let (ray, filter) = (&rays[lane], &Filter::new(&rays[lane], &self.bounds));
-                            known[first + lane].look(simd, block, &Job { filter, ray, interval }, c);
+                            let (known, job) = (&mut known[first + lane], Job { filter, ray, interval });
+                            known.look(simd, (block, block.len()), known.last(interval.max), &job, c);
                         }
                         Sky::Crowded => asked.push(first + lane),
                     }

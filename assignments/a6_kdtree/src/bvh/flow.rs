@@ -18,11 +18,15 @@ use common::accel::Job;
 use common::counters::Counters;
 use common::math::Interval;
 use common::math::lanes::Stored;
+use common::shape::triangle_block::TriangleBlock;
 use common::shape::unfolded::Unfolded;
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8, u32x8};
 
 /// Fewer rays on a list are faster one by one.
 const FEW: usize = 12;
+
+/// Of fewer each is faster asked about eight triangles than eight about each triangle.
+const UNFOLD: usize = 5;
 
 /// The sides of a node's boxes, made wider, as rays of an octant meet them.
 struct Sides {
@@ -64,7 +68,7 @@ impl Bvh<'_> {
         c: &mut Counters,
     ) {
         let (mut lists, mut stack) = (Lists::new(), Stack::new());
-        lists.start(stream.rays.len());
+        lists.start(0..stream.rays.len() as u32);
         while let Some(task) = lists.pop() {
             if !task.child.is_node() {
                 self.reach(simd, task.child.held(), lists.of(&task), stream, interval, purpose, c);
@@ -94,34 +98,73 @@ impl Bvh<'_> {
         purpose: &mut impl Purpose,
         c: &mut Counters,
     ) {
-        let unfolded = match held {
-            Held::Block(index, len) => Some((Unfolded::of(simd, &self.blocks[index]), len)),
+        let block = match held {
+            Held::Block(index, len) => Some((&self.blocks[index], len)),
             _ => None,
         };
-        for list in list.chunks(RAYS) {
-            let (records, count) = eight(list);
-            let mut left = (1 << count) - 1;
-            if let Some((unfolded, len)) = &unfolded {
-                let lines = Record::lines(simd, records_of(&stream.records, &records), interval.min);
-                left &= unfolded.rays_meeting(simd, &lines, *len);
-                // Those that are left are counted when they are looked at.
-                c.intersections += (len * (count - left.count_ones() as usize)) as u64;
-            }
-            for lane in lanes_of(left) {
-                let ray = records[lane] as usize;
-                let record = &mut stream.records[ray];
-                let filter = record.filter();
-                let job = Job { filter: &filter, ray: &stream.rays[ray], interval };
-                let last = purpose.leaf(simd, self, held, &At { job, ray, last: record.last() }, c);
-                record.end_at(last, filter.errors.margin());
-            }
+        reach(simd, block, list, stream, interval, &mut Leaf { bvh: self, held, purpose }, c);
+    }
+}
+
+/// What is asked of a leaf.
+struct Leaf<'a, 'g, P> {
+    bvh: &'a Bvh<'g>,
+    held: Held,
+    purpose: &'a mut P,
+}
+
+impl<P: Purpose> Reached for Leaf<'_, '_, P> {
+    #[inline(always)]
+    fn ask<S: Simd>(&mut self, simd: S, at: &At, c: &mut Counters) -> f32 {
+        self.purpose.leaf(simd, self.bvh, self.held, at, c)
+    }
+}
+
+/// What rays of a stream have reached.
+pub trait Reached {
+    /// Asks it about one ray. Returns until where hits matter from now on, −∞ if none does.
+    fn ask<S: Simd>(&mut self, simd: S, at: &At, c: &mut Counters) -> f32;
+}
+
+/// Asks what all rays of a list have reached about each: if it is so many triangles of a block, about
+/// those that do not certainly pass them by.
+#[inline(always)]
+pub fn reach<S: Simd>(
+    simd: S,
+    block: Option<(&TriangleBlock, usize)>,
+    list: &[u32],
+    stream: &mut Stream,
+    interval: Interval,
+    reached: &mut impl Reached,
+    c: &mut Counters,
+) {
+    let unfolded = match block {
+        Some((block, len)) if list.len() >= UNFOLD => Some((Unfolded::of(simd, block), len)),
+        _ => None,
+    };
+    for list in list.chunks(RAYS) {
+        let (rays, count) = eight(list);
+        let mut left = (1 << count) - 1;
+        if let Some((unfolded, len)) = &unfolded {
+            let lines = Record::lines(simd, records_of(&stream.records, &rays), interval.min);
+            left &= unfolded.rays_meeting(simd, &lines, *len);
+            // Those that are left are counted when they are looked at.
+            c.intersections += (len * (count - left.count_ones() as usize)) as u64;
+        }
+        for lane in lanes_of(left) {
+            let ray = rays[lane] as usize;
+            let record = &mut stream.records[ray];
+            let filter = record.filter();
+            let job = Job { filter: &filter, ray: &stream.rays[ray], interval };
+            let last = reached.ask(simd, &At { job, ray, last: record.last() }, c);
+            record.end_at(last, filter.errors.margin());
         }
     }
 }
 
 /// Sends the rays of a list to the children of a node whose boxes they meet.
 #[inline(always)]
-fn pass<S: Simd>(simd: S, lists: &mut Lists, task: &Task, node: &WideNode, stream: &Stream, min: f32) {
+pub fn pass<S: Simd>(simd: S, lists: &mut Lists, task: &Task, node: &WideNode, stream: &Stream, min: f32) {
     let octant = stream.octant;
     let Sides { near, far } = Sides::of(simd, node, octant, stream.room);
     let (list, places, mut ends) = lists.split(task);

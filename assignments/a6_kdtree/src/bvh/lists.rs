@@ -50,10 +50,11 @@ impl Lists {
         Self { numbers: Vec::new(), tasks: Vec::new(), waiting: 0 }
     }
 
-    /// The first `len` records at the root, and nobody elsewhere.
-    pub fn start(&mut self, len: usize) {
+    /// These at the root, and nobody elsewhere.
+    pub fn start(&mut self, rays: impl ExactSizeIterator<Item = u32>) {
+        let len = rays.len();
         self.numbers.clear();
-        self.numbers.extend(0..len as u32);
+        self.numbers.extend(rays);
         self.tasks.clear();
         self.tasks.push(Task { child: Child::node(0), first: 0, len, free: len });
         self.waiting = 1;
@@ -137,7 +138,7 @@ mod tests {
         let children = std::array::from_fn(|child| Child::node(child + 1));
         for low_first in [false, true] {
             let mut lists = Lists::new();
-            lists.start(19);
+            lists.start(0..19);
             let mut waiting = Vec::new();
             // Two levels: what waits at the first must survive the second.
             for _ in 0..2 {

@@ -12,10 +12,12 @@
 
 use super::bundle::lanes_of;
 use super::packet::{Packet, RAYS};
-use super::stream::{MANY, OCTANTS};
+use super::purpose::Known;
+use super::stream::{MANY, OCTANTS, Stream};
 use common::math::Bounds;
 use common::math::lanes::{Vectors, load};
-use common::simd::{Select, Simd, SimdBase, SimdMask, f32x8, i32x8};
+use common::ray::Ray;
+use common::simd::{Select, Simd, SimdBase, SimdMask, dispatch, f32x8, i32x8, level};
 
 /// Most rays that wait: more would not make streams much more alike, and take more memory.
 const MOST: usize = 1 << 16;
@@ -70,11 +72,6 @@ impl Pool {
         })
     }
 
-    /// By how much boxes are made wider.
-    pub fn room(&self) -> f32 {
-        self.greatest * ROOM
-    }
-
     /// Whether rays that start anywhere are better off here; else only those that start beside each
     /// other are.
     #[inline(always)]
@@ -120,16 +117,16 @@ impl Pool {
             let place = (origin[axis] - of(self.bounds.min[axis])) * of(scale);
             let place = simd.cvt_i32_f32x8(place.max(of(0.0)).min(of(((1 << BITS) - 1) as f32)));
             for i in 0..BITS {
-                cell = cell | (place & bit(1 << i)) << (2 * i + axis as u32);
+                cell |= (place & bit(1 << i)) << (2 * i + axis as u32);
             }
             let backward = inverse[axis].simd_lt(of(0.0));
-            cell = cell | backward.select(bit(1 << (3 * BITS + axis as u32)), bit(0));
+            cell |= backward.select(bit(1 << (3 * BITS + axis as u32)), bit(0));
         }
         cell
     }
 
     /// Sorts those that wait, who flow next. Nobody else may come before all of them have.
-    pub fn sort(&mut self) {
+    fn sort(&mut self) {
         let mut ends = [0; CELLS];
         for (_, cell) in &self.waiting {
             ends[usize::from(*cell)] += 1;
@@ -149,8 +146,30 @@ impl Pool {
         self.flown = 0;
     }
 
+    /// Lets all flow that wait: calls `flow` with one stream after the other and what is `known` of its
+    /// rays, in their order. `max` is where hits end to count.
+    pub fn let_flow<T: Known>(
+        &mut self,
+        rays: &[Ray],
+        max: f32,
+        known: &mut [T],
+        mut flow: impl FnMut(&mut Stream, &mut [T]),
+    ) {
+        self.sort();
+        let (bounds, mut stream, mut some) = (self.bounds, Stream::new(self.greatest * ROOM), Vec::new());
+        while let Some((octant, numbers)) = self.next() {
+            some.clear();
+            some.extend(numbers.iter().map(|&number| known[number as usize]));
+            dispatch!(level(), s => stream.fill(s, (octant, numbers), rays, &some, max, &bounds));
+            flow(&mut stream, &mut some);
+            for (&number, value) in numbers.iter().zip(&some) {
+                known[number as usize] = *value;
+            }
+        }
+    }
+
     /// Who flows next, and the octant of all of them. All streams of an octant are about equally long.
-    pub fn next(&mut self) -> Option<(usize, &[u32])> {
+    fn next(&mut self) -> Option<(usize, &[u32])> {
         let first = self.flown;
         let octant = self.ends.iter().position(|end| *end > first)?;
         let left = self.ends[octant] - first;
@@ -187,8 +206,6 @@ impl Inlet<'_> {
 mod tests {
     use super::*;
     use common::math::Vec3;
-    use common::ray::Ray;
-    use common::simd::{dispatch, level};
 
     const BOUNDS: Bounds = Bounds { min: Vec3::new(-1.0, 0.0, -3.0), max: Vec3::new(2.0, 4.0, 1.0) };
 

@@ -54,8 +54,16 @@ pub trait Known: Copy {
     /// interval ends.
     fn last(&self, max: f32) -> f32;
 
-    /// Looks at the few triangles that could stop the ray.
-    fn look<S: Simd>(&mut self, simd: S, few: &TriangleBlock, job: &Job, c: &mut Counters);
+    /// Looks at so many of the first triangles of a block. Hits later than `last` do not matter; returns
+    /// until where they do from now on, −∞ if none does.
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        first: (&TriangleBlock, usize),
+        last: f32,
+        job: &Job,
+        c: &mut Counters,
+    ) -> f32;
 }
 
 impl Known for Option<Hit> {
@@ -72,8 +80,15 @@ impl Known for Option<Hit> {
     }
 
     #[inline(always)]
-    fn look<S: Simd>(&mut self, simd: S, few: &TriangleBlock, job: &Job, c: &mut Counters) {
-        job.nearest_of(simd, few, few.len(), self.last(job.interval.max), self, c);
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        (block, len): (&TriangleBlock, usize),
+        last: f32,
+        job: &Job,
+        c: &mut Counters,
+    ) -> f32 {
+        job.nearest_of(simd, block, len, last, self, c)
     }
 }
 
@@ -91,8 +106,16 @@ impl Known for bool {
     }
 
     #[inline(always)]
-    fn look<S: Simd>(&mut self, simd: S, few: &TriangleBlock, job: &Job, c: &mut Counters) {
-        *self |= job.any_of(simd, few, few.len(), c);
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        (block, len): (&TriangleBlock, usize),
+        last: f32,
+        job: &Job,
+        c: &mut Counters,
+    ) -> f32 {
+        *self |= job.any_of(simd, block, len, c);
+        if *self { f32::NEG_INFINITY } else { last }
     }
 }
 

@@ -78,28 +78,33 @@ impl Record {
     /// What boxes want to know of eight rays: inverses, offsets, limits.
     #[inline(always)]
     pub fn beams<S: Simd>(simd: S, records: [&Self; RAYS]) -> [f32x8<S>; 7] {
-        let [ix, iy, iz, x] = quarters(simd, records, |r| &r.boxes[0]);
-        let [y, z, limit, _] = quarters(simd, records, |r| &r.boxes[1]);
+        let [ix, iy, iz, x] = columns(simd, quarters(records, |r| &r.boxes[0]));
+        let [y, z, limit, _] = columns(simd, quarters(records, |r| &r.boxes[1]));
         [ix, iy, iz, x, y, z, limit]
     }
 
     /// What triangles want to know of eight rays whose hits count from `min` on.
     #[inline(always)]
     pub fn lines<S: Simd>(simd: S, records: [&Self; RAYS], min: f32) -> Rays<S> {
-        let [ox, oy, oz, dx] = quarters(simd, records, |r| &r.line[0]);
-        let [dy, dz, far, step] = quarters(simd, records, |r| &r.line[1]);
+        let [ox, oy, oz, dx] = columns(simd, quarters(records, |r| &r.line[0]));
+        let [dy, dz, far, step] = columns(simd, quarters(records, |r| &r.line[1]));
         Rays::new(simd, [ox, oy, oz], [dx, dy, dz], [far, step], min)
     }
 }
 
-/// Four numbers of each of eight records, side by side.
+/// Four numbers of each of eight records.
 #[inline(always)]
-fn quarters<S: Simd>(
-    simd: S,
-    [a, b, c, d, e, f, g, h]: [&Record; RAYS],
-    quarter: impl Fn(&Record) -> &[f32; 4],
-) -> [f32x8<S>; 4] {
-    let of = |record| f32x4::from_slice(simd, quarter(record));
+fn quarters<'r>(
+    [a, b, c, d, e, f, g, h]: [&'r Record; RAYS],
+    quarter: impl Fn(&'r Record) -> &'r [f32; 4],
+) -> [&'r [f32; 4]; RAYS] {
+    [quarter(a), quarter(b), quarter(c), quarter(d), quarter(e), quarter(f), quarter(g), quarter(h)]
+}
+
+/// Four numbers of each of eight rays, side by side.
+#[inline(always)]
+pub fn columns<S: Simd>(simd: S, [a, b, c, d, e, f, g, h]: [&[f32; 4]; RAYS]) -> [f32x8<S>; 4] {
+    let of = |row| f32x4::from_slice(simd, row);
     let low = turn(simd, [of(a), of(b), of(c), of(d)]);
     let high = turn(simd, [of(e), of(f), of(g), of(h)]);
     [
@@ -110,20 +115,26 @@ fn quarters<S: Simd>(
     ]
 }
 
-/// Puts four numbers of each of eight rays into their records.
+/// The same turned back: first those of the first four rays.
 #[inline(always)]
-fn put_quarter<S: Simd>(
-    simd: S,
-    records: &mut [Record],
-    [a, b, c, d]: [f32x8<S>; 4],
-    quarter: impl Fn(&mut Record) -> &mut [f32; 4],
-) {
+pub fn rows<S: Simd>(simd: S, [a, b, c, d]: [f32x8<S>; 4]) -> [[f32x4<S>; 4]; 2] {
     // Not in a closure, which would be compiled for other instructions.
     let (a, e) = simd.split_f32x8(a);
     let (b, f) = simd.split_f32x8(b);
     let (c, g) = simd.split_f32x8(c);
     let (d, h) = simd.split_f32x8(d);
-    let (low, high) = (turn(simd, [a, b, c, d]), turn(simd, [e, f, g, h]));
+    [turn(simd, [a, b, c, d]), turn(simd, [e, f, g, h])]
+}
+
+/// Puts four numbers of each of eight rays into their records.
+#[inline(always)]
+fn put_quarter<S: Simd>(
+    simd: S,
+    records: &mut [Record],
+    numbers: [f32x8<S>; 4],
+    quarter: impl Fn(&mut Record) -> &mut [f32; 4],
+) {
+    let [low, high] = rows(simd, numbers);
     for lane in 0..RAYS / 2 {
         low[lane].store_slice(quarter(&mut records[lane]));
         high[lane].store_slice(quarter(&mut records[lane + RAYS / 2]));

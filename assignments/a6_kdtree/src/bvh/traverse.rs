@@ -8,7 +8,7 @@ use super::purpose::Known;
 use super::sheets;
 use super::single::Query;
 use super::stack::Stack;
-use super::stream::{MANY, Stream};
+use super::stream::MANY;
 use super::wide::Bvh;
 use common::accel::Accel;
 use common::counters::Counters;
@@ -119,36 +119,12 @@ impl Bvh<'_> {
             let is_last = part.end == rays.len();
             dispatch!(simd::level(), s => self.ask_part(s, rays, part, interval, known, &mut desk, c));
             if let Some(pool) = desk.pool.as_mut().filter(|pool| pool.is_full() || is_last) {
-                self.let_flow(pool, rays, interval, known, &mut desk.stack, c);
-            }
-        }
-    }
-
-    /// Asks the tree about all rays of the pool.
-    fn let_flow<T: Known>(
-        &self,
-        pool: &mut Pool,
-        rays: &[Ray],
-        interval: Interval,
-        known: &mut [T],
-        stack: &mut Stack,
-        c: &mut Counters,
-    ) {
-        pool.sort();
-        let (mut stream, mut known_of_stream) = (Stream::new(pool.room()), Vec::new());
-        while let Some((octant, numbers)) = pool.next() {
-            known_of_stream.clear();
-            known_of_stream.extend(numbers.iter().map(|&number| known[number as usize]));
-            dispatch!(simd::level(), s => {
-                let next = (octant, numbers);
-                stream.fill(s, next, rays, &known_of_stream, interval.max, &self.bounds);
-            });
-            dispatch!(simd::level(), s => {
-                let purpose = &mut T::purpose(interval, &mut known_of_stream, stack);
-                self.flow(s, &mut stream, interval, purpose, c);
-            });
-            for (&number, value) in numbers.iter().zip(&known_of_stream) {
-                known[number as usize] = *value;
+                pool.let_flow(rays, interval.max, known, |stream, known| {
+                    dispatch!(simd::level(), s => {
+                        let purpose = &mut T::purpose(interval, known, &mut desk.stack);
+                        self.flow(s, stream, interval, purpose, c);
+                    });
+                });
             }
         }
     }

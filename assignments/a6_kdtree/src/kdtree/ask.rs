@@ -5,16 +5,80 @@ use super::query::{Prepared, Query};
 use super::tree::KdTree;
 use crate::bvh::beam::Spread;
 use crate::bvh::packet::first_child;
+use crate::bvh::purpose::Known;
 use crate::bvh::single::limit;
 use crate::bvh::walk::Way;
 use crate::bvh::wide::WideNode;
 use common::accel::Job;
 use common::counters::Counters;
-use common::geometry::Hit;
+use common::geometry::{Geometry, Hit};
 use common::math::Interval;
 use common::ray::Ray;
 use common::shape::ExactRay;
 use common::simd::{Simd, SimdBase, SimdMask, f32x8};
+
+/// What is looked for: the first hit, or whether there is any.
+pub trait Answer: Known {
+    /// What is known before anything is asked.
+    const NONE: Self;
+
+    /// What it is beside the tree.
+    fn beside(geometry: &Geometry, ray: &Ray, interval: Interval, c: &mut Counters) -> Self;
+
+    /// Looks into a leaf. Hits later than `last` do not matter; returns until where they do from now
+    /// on, −∞ if none does.
+    fn leaf<S: Simd>(
+        &mut self,
+        asker: &Asker<S>,
+        tree: &KdTree,
+        held: Held,
+        last: f32,
+        c: &mut Counters,
+    ) -> f32;
+}
+
+impl Answer for Option<Hit> {
+    const NONE: Self = None;
+
+    #[inline(always)]
+    fn beside(geometry: &Geometry, ray: &Ray, interval: Interval, c: &mut Counters) -> Self {
+        geometry.nearest_sheet(ray, interval, c)
+    }
+
+    #[inline(always)]
+    fn leaf<S: Simd>(
+        &mut self,
+        asker: &Asker<S>,
+        tree: &KdTree,
+        held: Held,
+        last: f32,
+        c: &mut Counters,
+    ) -> f32 {
+        asker.nearest(tree, held, last, self, c)
+    }
+}
+
+impl Answer for bool {
+    const NONE: Self = false;
+
+    #[inline(always)]
+    fn beside(geometry: &Geometry, ray: &Ray, interval: Interval, c: &mut Counters) -> Self {
+        geometry.any_sheet(ray, interval, c)
+    }
+
+    #[inline(always)]
+    fn leaf<S: Simd>(
+        &mut self,
+        asker: &Asker<S>,
+        tree: &KdTree,
+        held: Held,
+        last: f32,
+        c: &mut Counters,
+    ) -> f32 {
+        *self = asker.any(tree, held, c);
+        if *self { f32::NEG_INFINITY } else { last }
+    }
+}
 
 /// A ray, prepared for boxes and primitives.
 pub struct Asker<'q, S: Simd> {
@@ -43,7 +107,7 @@ impl<'q, S: Simd> Asker<'q, S> {
     /// Puts the better of `best` and the first hit in a leaf into `best`. Hits later than `last`
     /// do not matter; returns a new such bound.
     #[inline(always)]
-    pub fn nearest(
+    fn nearest(
         &self,
         tree: &KdTree,
         held: Held,
@@ -72,7 +136,7 @@ impl<'q, S: Simd> Asker<'q, S> {
 
     /// Whether anything in a leaf is hit.
     #[inline(always)]
-    pub fn any(&self, tree: &KdTree, held: Held, c: &mut Counters) -> bool {
+    fn any(&self, tree: &KdTree, held: Held, c: &mut Counters) -> bool {
         for node in held.boxes {
             let mut met = self.meet(node, self.job.interval.max, c);
             while let Some((block, len)) = self.next_block(node, &mut met) {

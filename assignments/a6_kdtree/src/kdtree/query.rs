@@ -1,5 +1,6 @@
 //! A ray, prepared for a tree.
 
+use super::stack::Waiting;
 use super::tree::KdTree;
 use crate::bvh::beam::Beam;
 use crate::bvh::packet::Packet;
@@ -77,6 +78,12 @@ impl Query {
     #[inline(always)]
     pub fn passes_by(&self) -> bool {
         !matches!(self.enter.partial_cmp(&self.exit), Some(Ordering::Less | Ordering::Equal))
+    }
+
+    /// The root.
+    #[inline(always)]
+    pub fn start(&self) -> Waiting {
+        Waiting { enter: self.enter, exit: self.exit, node: 0 }
     }
 
     #[inline(always)]

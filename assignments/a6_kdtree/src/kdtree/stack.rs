@@ -29,11 +29,11 @@ impl Stack {
         Self { entries: [nothing; STACK], len: 0, spill: Vec::new() }
     }
 
-    /// Holds only the root, where the ray is from `enter` to `exit`.
+    /// Holds only one node.
     #[inline(always)]
-    pub fn restart(&mut self, enter: f64, exit: f64) {
+    pub fn restart(&mut self, first: Waiting) {
         self.spill.clear();
-        self.entries[0] = Waiting { enter, exit, node: 0 };
+        self.entries[0] = first;
         self.len = 1;
     }
 
@@ -84,8 +84,8 @@ mod tests {
     #[test]
     fn a6t1_more_than_fits_comes_back_in_order() {
         let mut stack = Stack::new();
-        stack.restart(0.0, 1000.0);
         let node = |node: u32| Waiting { enter: f64::from(1000 - node), exit: 1000.0, node };
+        stack.restart(Waiting { enter: 0.0, ..node(0) });
         (1..100).for_each(|n| stack.push(node(n)));
         let order: Vec<u32> = std::iter::from_fn(|| stack.pop(950.0).map(|w| w.node)).collect();
         let expected: Vec<u32> = (50..100).rev().chain([0]).collect();

@@ -5,17 +5,24 @@
 //! plane is met within `slack` of either end of the stretch in question, both sides are
 //! visited, so no rounding can lose a leaf that the ray passes.
 
-use super::ask::Asker;
+use super::ask::{Answer, Asker};
+use super::flow::Current;
 use super::query::{Prepared, Query};
 use super::stack::{Stack, Waiting};
 use super::tree::{KdTree, Node};
+use crate::bvh::bundle::lanes_of;
 use crate::bvh::packet::{Packet, RAYS};
+use crate::bvh::pool::Pool;
+use crate::bvh::wide::WIDTH;
 use common::accel::Accel;
 use common::counters::Counters;
 use common::geometry::{Geometry, Hit};
 use common::math::Interval;
 use common::ray::Ray;
 use common::simd::{self, Simd, dispatch};
+
+/// Rays that are looked at before those that wait may flow.
+const PART: usize = 256;
 
 impl KdTree<'_> {
     /// The next leaf that the ray passes no later than `last`.
@@ -53,75 +60,91 @@ impl KdTree<'_> {
         Some(node)
     }
 
+    /// Follows a ray from the root, or from a node and with a bound of where hits matter.
+    #[expect(clippy::too_many_arguments, reason = "all of them belong to one loop")]
     #[inline(always)]
-    fn nearest_in<S: Simd>(
+    pub(super) fn follow<S: Simd, T: Answer>(
         &self,
         simd: S,
         (ray, prepared): (&Ray, Prepared),
         interval: Interval,
+        from: Option<(Waiting, f32)>,
         stack: &mut Stack,
-        mut best: Option<Hit>,
+        answer: &mut T,
         c: &mut Counters,
-    ) -> Option<Hit> {
+    ) -> f32 {
         let query = Query::new(self, ray, prepared, interval);
+        let (first, mut last) = from.unwrap_or((query.start(), answer.last(interval.max)));
         if query.passes_by() {
-            return best;
+            return last;
         }
         let asker = Asker::new(simd, ray, interval, &query);
-        stack.restart(query.enter, query.exit);
-        let mut last = best.map_or(interval.max, |b| b.t);
-        while let Some(leaf) = self.next_leaf(&query, stack, f64::from(last) + query.margin, c) {
-            last = asker.nearest(self, self.held(leaf), last, &mut best, c);
+        stack.restart(first);
+        while last > f32::NEG_INFINITY
+            && let Some(leaf) = self.next_leaf(&query, stack, f64::from(last) + query.margin, c)
+        {
+            last = answer.leaf(&asker, self, self.held(leaf), last, c);
         }
-        best
+        last
     }
 
+    /// Asks about up to eight rays, but those that wait in the pool.
+    #[expect(clippy::too_many_arguments, reason = "all of them belong to one loop")]
     #[inline(always)]
-    fn any_in<S: Simd>(
-        &self,
-        simd: S,
-        (ray, prepared): (&Ray, Prepared),
-        interval: Interval,
-        stack: &mut Stack,
-        c: &mut Counters,
-    ) -> bool {
-        let query = Query::new(self, ray, prepared, interval);
-        if query.passes_by() {
-            return false;
-        }
-        let asker = Asker::new(simd, ray, interval, &query);
-        stack.restart(query.enter, query.exit);
-        while let Some(leaf) = self.next_leaf(&query, stack, f64::INFINITY, c) {
-            if asker.any(self, self.held(leaf), c) {
-                return true;
-            }
-        }
-        false
-    }
-
-    /// One ray after the other, all with one stack.
-    #[inline(always)]
-    fn each_nearest<S: Simd>(
+    fn eight<S: Simd, T: Answer>(
         &self,
         simd: S,
         rays: &[Ray],
         interval: Interval,
-        hits: &mut [Option<Hit>],
+        answers: &mut [T],
+        (pool, first): (Option<&mut Pool>, usize),
+        stack: &mut Stack,
         c: &mut Counters,
     ) {
-        let mut stack = Stack::new();
-        for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
-            let packet = self.packet(simd, rays);
-            for (lane, (ray, hit)) in rays.iter().zip(hits).enumerate() {
-                *hit = None;
-                if ray.is_usable() {
-                    let sheet = self.geometry.nearest_sheet(ray, interval, c);
-                    let ready = (ray, self.prepare(simd, packet.as_ref(), lane, ray));
-                    *hit = match self.nodes.is_empty() {
-                        true => sheet,
-                        false => self.nearest_in(simd, ready, interval, &mut stack, sheet, c),
-                    };
+        let packet = self.packet(simd, rays);
+        let mut asked = 0;
+        for (lane, (ray, answer)) in rays.iter().zip(&mut *answers).enumerate() {
+            *answer = T::NONE;
+            if ray.is_usable() {
+                *answer = T::beside(self.geometry, ray, interval, c);
+                let is_open = answer.last(interval.max) > f32::NEG_INFINITY && !self.nodes.is_empty();
+                asked |= u32::from(is_open) << lane;
+            }
+        }
+        if let (Some(pool), Some(packet)) = (pool, &packet) {
+            let numbers = [0, 1, 2, 3, 4, 5, 6, 7].map(|lane| first as u32 + lane);
+            asked = pool.take(simd, packet, asked, &numbers);
+        }
+        for lane in lanes_of(asked) {
+            let ready = (&rays[lane], self.prepare(simd, packet.as_ref(), lane, &rays[lane]));
+            self.follow(simd, ready, interval, None, stack, &mut answers[lane], c);
+        }
+    }
+
+    /// Asks about all rays.
+    fn ask<T: Answer>(&self, rays: &[Ray], interval: Interval, answers: &mut [T], c: &mut Counters) {
+        assert_eq!(rays.len(), answers.len());
+        let mut current = Current::new();
+        // A node of the hierarchy, by which pools count, stands for so many planes.
+        let nodes = self.nodes.len() / WIDTH;
+        let mut pool = match self.mixed.is_empty() {
+            true => Pool::of_many(rays.len(), nodes, &self.triangle_bounds),
+            false => None,
+        };
+        for first in (0..rays.len()).step_by(PART) {
+            let part = first..rays.len().min(first + PART);
+            let is_last = part.end == rays.len();
+            dispatch!(simd::level(), s => {
+                for first in part.step_by(RAYS) {
+                    let eight = first..rays.len().min(first + RAYS);
+                    let (rays, answers) = (&rays[eight.clone()], &mut answers[eight]);
+                    self.eight(s, rays, interval, answers, (pool.as_mut(), first), current.stack(), c);
                 }
+            });
+            if let Some(pool) = pool.as_mut().filter(|pool| pool.is_full() || is_last) {
+                pool.let_flow(rays, interval.max, answers, |stream, answers| {
+                    dispatch!(simd::level(), s => self.flow(s, stream, interval, answers, &mut current, c));
+                });
             }
         }
     }
@@ -140,40 +163,18 @@ impl KdTree<'_> {
             None => Prepared::of(&Packet::alone(simd, ray, &self.triangle_bounds), 0),
         }
     }
-
-    #[inline(always)]
-    fn each_any<S: Simd>(
-        &self,
-        simd: S,
-        rays: &[Ray],
-        interval: Interval,
-        hit: &mut [bool],
-        c: &mut Counters,
-    ) {
-        let mut stack = Stack::new();
-        for (rays, hits) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {
-            let packet = self.packet(simd, rays);
-            for (lane, (ray, hit)) in rays.iter().zip(hits).enumerate() {
-                *hit = ray.is_usable() && self.geometry.any_sheet(ray, interval, c);
-                if ray.is_usable() && !*hit && !self.nodes.is_empty() {
-                    let ready = (ray, self.prepare(simd, packet.as_ref(), lane, ray));
-                    *hit = self.any_in(simd, ready, interval, &mut stack, c);
-                }
-            }
-        }
-    }
 }
 
 impl Accel for KdTree<'_> {
     fn nearest(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> Option<Hit> {
         let mut hit = [None];
-        self.nearest_many(std::slice::from_ref(ray), interval, &mut hit, counters);
+        self.ask(std::slice::from_ref(ray), interval, &mut hit, counters);
         hit[0]
     }
 
     fn any(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> bool {
         let mut hit = [false];
-        self.any_many(std::slice::from_ref(ray), interval, &mut hit, counters);
+        self.ask(std::slice::from_ref(ray), interval, &mut hit, counters);
         hit[0]
     }
 
@@ -184,13 +185,11 @@ impl Accel for KdTree<'_> {
         hits: &mut [Option<Hit>],
         counters: &mut Counters,
     ) {
-        assert_eq!(rays.len(), hits.len());
-        dispatch!(simd::level(), s => self.each_nearest(s, rays, interval, hits, counters));
+        self.ask(rays, interval, hits, counters);
     }
 
     fn any_many(&self, rays: &[Ray], interval: Interval, hit: &mut [bool], counters: &mut Counters) {
-        assert_eq!(rays.len(), hit.len());
-        dispatch!(simd::level(), s => self.each_any(s, rays, interval, hit, counters));
+        self.ask(rays, interval, hit, counters);
     }
 
     fn geometry(&self) -> &Geometry {
