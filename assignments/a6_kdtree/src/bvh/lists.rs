@@ -67,6 +67,12 @@ impl Lists {
         Some(self.tasks[self.waiting])
     }
 
+    /// What the list after that waits at.
+    #[inline(always)]
+    pub fn next(&self) -> Option<Child> {
+        Some(self.tasks[self.waiting.checked_sub(1)?].child)
+    }
+
     /// Who is on a task's list.
     #[inline(always)]
     pub fn of(&self, task: &Task) -> &[u32] {

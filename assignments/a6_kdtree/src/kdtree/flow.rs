@@ -76,6 +76,9 @@ impl KdTree<'_> {
         self.enter(simd, stream, interval, current);
         while let Some(task) = current.lists.pop() {
             let node = self.nodes[task.node as usize];
+            if let Some(next) = current.lists.next() {
+                self.prefetch(self.nodes[next as usize]);
+            }
             if node.is_leaf() {
                 self.leaf_of(simd, (node, &task), stream, interval, answers, current, c);
             } else if task.len() >= FEW {
@@ -150,6 +153,9 @@ impl KdTree<'_> {
             c.cells += list.len() as u64;
             current.blocks.start(list.iter().copied());
             while let Some(task) = current.blocks.pop() {
+                if let Some(next) = current.blocks.next() {
+                    self.blocks[next.block_and_len().0].prefetch();
+                }
                 if task.child.is_node() {
                     flow::pass(simd, &mut current.blocks, &task, node, stream, interval.min);
                     continue;

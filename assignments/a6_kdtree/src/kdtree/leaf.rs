@@ -10,6 +10,7 @@ use super::tree::{KdTree, LEAF, Node};
 use crate::bvh::wide::{self, Child, EMPTY_NODE, WIDTH, WideNode};
 use common::math::{Bounds, Vec3};
 use common::shape::triangle_block::{LANES, TriangleBlock};
+use common::simd::prefetch;
 use std::ops::Range;
 
 /// In `data` of a leaf: it holds solids, and its place is that of a [`Mixed`].
@@ -121,6 +122,23 @@ impl KdTree<'_> {
         match leaf.data & BOXED {
             0 => Held { boxes: &[], blocks: &self.blocks[place..place + count], solids: &[] },
             _ => Held { boxes: &self.boxes[place..place + count], blocks: &[], solids: &[] },
+        }
+    }
+
+    /// Asks the memory for what is looked at next, without waiting.
+    #[inline(always)]
+    pub(super) fn prefetch(&self, node: Node) {
+        if !node.is_leaf() {
+            return prefetch(&self.nodes[node.child()..]);
+        }
+        let Held { boxes, blocks, .. } = self.held(node);
+        if let Some(first) = boxes.first() {
+            for sides in &first.side {
+                prefetch(&sides[0]);
+            }
+            prefetch(&first.child);
+        } else if let Some(first) = blocks.first() {
+            first.prefetch();
         }
     }
 

@@ -71,6 +71,12 @@ impl Lists {
         self.tasks.pop()
     }
 
+    /// Place of the node that the list after that waits at.
+    #[inline(always)]
+    pub fn next(&self) -> Option<u32> {
+        self.tasks.last().map(|task| task.node)
+    }
+
     /// Who is on a task's list.
     #[inline(always)]
     pub fn of(&self, task: &Task) -> &[u32] {

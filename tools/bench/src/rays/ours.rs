@@ -17,9 +17,6 @@ const LIST_TESTS: usize = 200_000_000;
 /// Cells of the grid for each triangle.
 const CELLS_PER_TRIANGLE: f64 = 5.0;
 
-/// Rays that are asked together: as many as make a stream.
-const TOGETHER: usize = 4096;
-
 /// The hierarchy asked one ray at a time, as a renderer's later rays do.
 struct Alone<'w>(Bvh<'w>);
 
@@ -56,13 +53,10 @@ impl<A: Accel> Contender for Ours<A> {
     }
 
     fn nearest_batch(&self, rays: &[Ray], reach: f32, answers: &mut [Answer]) {
-        let mut hits = vec![None; rays.len().min(TOGETHER)];
-        for (rays, answers) in rays.chunks(TOGETHER).zip(answers.chunks_mut(TOGETHER)) {
-            let hits = &mut hits[..rays.len()];
-            self.accel.nearest_many(rays, Interval::up_to(reach), hits, &mut Counters::default());
-            for (hit, answer) in hits.iter().zip(answers) {
-                *answer = hit.map_or(Answer::MISS, |hit| Answer { t: hit.t, primitive: hit.primitive });
-            }
+        let mut hits = vec![None; rays.len()];
+        self.accel.nearest_many(rays, Interval::up_to(reach), &mut hits, &mut Counters::default());
+        for (hit, answer) in hits.iter().zip(answers) {
+            *answer = hit.map_or(Answer::MISS, |hit| Answer { t: hit.t, primitive: hit.primitive });
         }
     }
 
