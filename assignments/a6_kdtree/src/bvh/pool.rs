@@ -146,24 +146,31 @@ impl Pool {
         self.flown = 0;
     }
 
-    /// Lets all flow that wait: calls `flow` with one stream after the other and what is `known` of its
-    /// rays, in their order. `max` is where hits end to count.
+    /// Lets all flow that wait: calls `flow` with one stream after the other and what is known of its
+    /// rays, in their order. Of all rays so much is `known`; nothing of any that wait if `is_new`.
+    /// `max` is where hits end to count.
     pub fn let_flow<T: Known>(
         &mut self,
         rays: &[Ray],
         max: f32,
-        known: &mut [T],
+        (known, is_new): (&mut [T], bool),
         mut flow: impl FnMut(&mut Stream, &mut [T]),
     ) {
         self.sort();
         let (bounds, mut stream, mut some) = (self.bounds, Stream::new(self.greatest * ROOM), Vec::new());
         while let Some((octant, numbers)) = self.next() {
             some.clear();
-            some.extend(numbers.iter().map(|&number| known[number as usize]));
+            // Not fetched if it need not be: it lies far apart.
+            match is_new {
+                true => some.resize(numbers.len(), T::NONE),
+                false => some.extend(numbers.iter().map(|&number| known[number as usize])),
+            }
             dispatch!(level(), s => stream.fill(s, (octant, numbers), rays, &some, max, &bounds));
             flow(&mut stream, &mut some);
             for (&number, value) in numbers.iter().zip(&some) {
-                known[number as usize] = *value;
+                if !is_new || *value != T::NONE {
+                    known[number as usize] = *value;
+                }
             }
         }
     }

@@ -41,7 +41,10 @@ pub struct At<'a> {
 }
 
 /// What is known of a ray when the tree is asked: its first hit so far, or whether there is any.
-pub trait Known: Copy {
+pub trait Known: Copy + PartialEq {
+    /// Nothing yet.
+    const NONE: Self;
+
     /// What finds out the rest.
     type Purpose<'a>: Purpose
     where
@@ -67,6 +70,8 @@ pub trait Known: Copy {
 }
 
 impl Known for Option<Hit> {
+    const NONE: Self = None;
+
     type Purpose<'a> = Nearest<'a>;
 
     #[inline(always)]
@@ -93,6 +98,8 @@ impl Known for Option<Hit> {
 }
 
 impl Known for bool {
+    const NONE: Self = false;
+
     type Purpose<'a> = Blocked<'a>;
 
     #[inline(always)]

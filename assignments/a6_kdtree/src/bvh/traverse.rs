@@ -119,7 +119,7 @@ impl Bvh<'_> {
             let is_last = part.end == rays.len();
             dispatch!(simd::level(), s => self.ask_part(s, rays, part, interval, known, &mut desk, c));
             if let Some(pool) = desk.pool.as_mut().filter(|pool| pool.is_full() || is_last) {
-                pool.let_flow(rays, interval.max, known, |stream, known| {
+                pool.let_flow(rays, interval.max, (known, self.stands_alone()), |stream, known| {
                     dispatch!(simd::level(), s => {
                         let purpose = &mut T::purpose(interval, known, &mut desk.stack);
                         self.flow(s, stream, interval, purpose, c);

@@ -19,9 +19,6 @@ use common::simd::{Simd, SimdBase, SimdMask, f32x8};
 
 /// What is looked for: the first hit, or whether there is any.
 pub trait Answer: Known {
-    /// What is known before anything is asked.
-    const NONE: Self;
-
     /// What it is beside the tree.
     fn beside(geometry: &Geometry, ray: &Ray, interval: Interval, c: &mut Counters) -> Self;
 
@@ -38,8 +35,6 @@ pub trait Answer: Known {
 }
 
 impl Answer for Option<Hit> {
-    const NONE: Self = None;
-
     #[inline(always)]
     fn beside(geometry: &Geometry, ray: &Ray, interval: Interval, c: &mut Counters) -> Self {
         geometry.nearest_sheet(ray, interval, c)
@@ -59,8 +54,6 @@ impl Answer for Option<Hit> {
 }
 
 impl Answer for bool {
-    const NONE: Self = false;
-
     #[inline(always)]
     fn beside(geometry: &Geometry, ray: &Ray, interval: Interval, c: &mut Counters) -> Self {
         geometry.any_sheet(ray, interval, c)

@@ -142,7 +142,8 @@ impl KdTree<'_> {
                 }
             });
             if let Some(pool) = pool.as_mut().filter(|pool| pool.is_full() || is_last) {
-                pool.let_flow(rays, interval.max, answers, |stream, answers| {
+                let is_new = self.geometry.sheets().is_empty();
+                pool.let_flow(rays, interval.max, (answers, is_new), |stream, answers| {
                     dispatch!(simd::level(), s => self.flow(s, stream, interval, answers, &mut current, c));
                 });
             }
