@@ -69,9 +69,8 @@ impl Bvh<'_> {
     ) {
         let (mut lists, mut stack) = (Lists::new(), Stack::new());
         lists.start(0..stream.rays.len() as u32);
-        let is_large = self.is_large();
         while let Some(task) = lists.pop() {
-            if is_large && let Some(child) = lists.next() {
+            if let Some(child) = lists.next() {
                 self.prefetch(child);
             }
             if !task.child.is_node() {
