@@ -6,8 +6,8 @@
 
 use super::bundle::{Bundle, lanes_of};
 use super::frustum::starts_together;
+use super::inlet::Inlet;
 use super::packet::{Packet, RAYS};
-use super::pool::Inlet;
 use super::purpose::{At, Purpose};
 use super::single::Query;
 use super::slot::{DEEPEST, Slot};

@@ -23,7 +23,7 @@ use common::shape::unfolded::Unfolded;
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8, u32x8};
 
 /// Fewer rays on a list are faster one by one.
-const FEW: usize = 12;
+const FEW: usize = 8;
 
 /// Of fewer each is faster asked about eight triangles than eight about each triangle.
 const UNFOLD: usize = 5;

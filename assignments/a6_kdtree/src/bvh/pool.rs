@@ -11,13 +11,14 @@
 //! each; r = 16u·3·G is taken.
 
 use super::bundle::lanes_of;
+use super::order::{Order, cells_of};
 use super::packet::{Packet, RAYS};
 use super::purpose::Known;
 use super::stream::{MANY, OCTANTS, Stream};
 use common::math::Bounds;
-use common::math::lanes::{Vectors, load};
+use common::math::lanes::load;
 use common::ray::Ray;
-use common::simd::{Select, Simd, SimdBase, SimdMask, dispatch, f32x8, i32x8, level};
+use common::simd::{Simd, SimdBase, SimdMask, dispatch, f32x8, level};
 
 /// Most rays that wait: more would not make streams much more alike, and take more memory.
 const MOST: usize = 1 << 17;
@@ -34,21 +35,12 @@ const ROOM: f32 = (1.0 + FARTHEST) / (1 << 20) as f32;
 /// Products of a length and an inverse beyond this, or below its inverse, could overflow or underflow.
 const ORDINARY: f32 = (1u64 << 60) as f32;
 
-/// Bits of a cell's place along one axis.
-const BITS: u32 = 3;
-
-/// Cells of all octants.
-const CELLS: usize = OCTANTS << (3 * BITS);
-
 /// Rays that wait.
 pub struct Pool {
     /// Which of all rays they are, and their cells.
     waiting: Vec<(u32, u16)>,
-    /// Which of all rays they are in the order of their cells, and how many have flown.
-    order: Vec<u32>,
-    flown: usize,
-    /// Where each octant ends in that.
-    ends: [usize; OCTANTS],
+    /// The same in the order of their cells.
+    order: Order,
     bounds: Bounds,
     greatest: f32,
     /// Whether rays may start anywhere.
@@ -63,9 +55,7 @@ impl Pool {
         }
         Some(Self {
             waiting: Vec::new(),
-            order: Vec::new(),
-            flown: 0,
-            ends: [0; OCTANTS],
+            order: Order::NONE,
             bounds: *bounds,
             greatest: bounds.min.abs().max(bounds.max.abs()).max_element(),
             takes_all: nodes <= MANY.min(rays.min(MOST) / OCTANTS),
@@ -98,52 +88,11 @@ impl Pool {
             fit &= (ordinary & is_near).to_bitmask() as u32;
         }
         let mut cells = [0; RAYS];
-        self.cell(simd, origin, inverse).store_slice(&mut cells);
+        cells_of(simd, origin, inverse, &self.bounds).store_slice(&mut cells);
         for lane in lanes_of(fit) {
             self.waiting.push((numbers[lane], cells[lane] as u16));
         }
         asked & !fit
-    }
-
-    /// The cells of eight rays: the signs of their directions, then the place of their origins.
-    #[inline(always)]
-    fn cell<S: Simd>(&self, simd: S, origin: Vectors<f32x8<S>>, inverse: Vectors<f32x8<S>>) -> i32x8<S> {
-        let of = |x: f32| f32x8::splat(simd, x);
-        let bit = |x: u32| i32x8::splat(simd, x as i32);
-        let (size, mut cell) = (self.bounds.size().max_element(), bit(0));
-        for axis in 0..3 {
-            // Cells are cubes. Of a flat scene there are fewer, of a point none that counts.
-            let scale = ((1 << BITS) as f32 / size).min(f32::MAX);
-            let place = (origin[axis] - of(self.bounds.min[axis])) * of(scale);
-            let place = simd.cvt_i32_f32x8(place.max(of(0.0)).min(of(((1 << BITS) - 1) as f32)));
-            for i in 0..BITS {
-                cell |= (place & bit(1 << i)) << (2 * i + axis as u32);
-            }
-            let backward = inverse[axis].simd_lt(of(0.0));
-            cell |= backward.select(bit(1 << (3 * BITS + axis as u32)), bit(0));
-        }
-        cell
-    }
-
-    /// Sorts those that wait, who flow next. Nobody else may come before all of them have.
-    fn sort(&mut self) {
-        let mut ends = [0; CELLS];
-        for (_, cell) in &self.waiting {
-            ends[usize::from(*cell)] += 1;
-        }
-        // Where each cell starts, which moves to where it ends.
-        let mut end = 0;
-        for cell in &mut ends {
-            (*cell, end) = (end, end + *cell);
-        }
-        self.order.resize(end, 0);
-        for (number, cell) in self.waiting.drain(..) {
-            let place = &mut ends[usize::from(cell)];
-            self.order[*place] = number;
-            *place += 1;
-        }
-        self.ends = std::array::from_fn(|octant| ends[(octant + 1) * (CELLS / OCTANTS) - 1]);
-        self.flown = 0;
     }
 
     /// Lets all flow that wait: calls `flow` with one stream after the other and what is known of its
@@ -156,9 +105,9 @@ impl Pool {
         (known, is_new): (&mut [T], bool),
         mut flow: impl FnMut(&mut Stream, &mut [T]),
     ) {
-        self.sort();
+        self.order.sort(&mut self.waiting);
         let (bounds, mut stream, mut some) = (self.bounds, Stream::new(self.greatest * ROOM), Vec::new());
-        while let Some((octant, numbers)) = self.next() {
+        while let Some((octant, numbers)) = self.order.next() {
             some.clear();
             // Not fetched if it need not be: it lies far apart.
             match is_new {
@@ -173,39 +122,6 @@ impl Pool {
                 }
             }
         }
-    }
-
-    /// Who flows next, and the octant of all of them. All streams of an octant are about equally long.
-    fn next(&mut self) -> Option<(usize, &[u32])> {
-        let first = self.flown;
-        let octant = self.ends.iter().position(|end| *end > first)?;
-        let left = self.ends[octant] - first;
-        self.flown += left.div_ceil(left.div_ceil(MANY));
-        Some((octant, &self.order[first..self.flown]))
-    }
-}
-
-/// Where some of all rays join those that wait.
-pub struct Inlet<'p> {
-    /// Those that wait.
-    pub pool: &'p mut Pool,
-    /// Which of all rays is the first at hand …
-    pub first: usize,
-    /// … and how far behind it the others are, if they are not one after the other.
-    pub numbers: &'p [u32],
-}
-
-impl Inlet<'_> {
-    /// Which of all rays those at hand are from `first` on, up to the eighth or the last of `rays`,
-    /// which is repeated.
-    #[inline(always)]
-    pub fn eight(&self, first: usize, rays: usize) -> [u32; RAYS] {
-        let number = |lane: usize| {
-            let ray = first + lane.min(rays - 1);
-            let behind = if self.numbers.is_empty() { ray as u32 } else { self.numbers[ray] };
-            self.first as u32 + behind
-        };
-        [number(0), number(1), number(2), number(3), number(4), number(5), number(6), number(7)]
     }
 }
 
@@ -251,12 +167,12 @@ mod tests {
         let mut pool = Pool::of_many(MANY, 1, &BOUNDS).unwrap();
         let left = take(&mut pool, &rays, 0b1011_1111);
         assert_eq!(left, 0b1_1110, "the others are taken, but the one that was not asked for");
-        pool.sort();
-        assert_eq!(pool.next(), Some((2, &[100, 107][..])));
-        assert_eq!(pool.next(), Some((5, &[105][..])));
-        assert_eq!(pool.next(), None, "all have flown");
-        pool.sort();
-        assert_eq!(pool.next(), None, "nobody waits");
+        pool.order.sort(&mut pool.waiting);
+        assert_eq!(pool.order.next(), Some((2, &[100, 107][..])));
+        assert_eq!(pool.order.next(), Some((5, &[105][..])));
+        assert_eq!(pool.order.next(), None, "all have flown");
+        pool.order.sort(&mut pool.waiting);
+        assert_eq!(pool.order.next(), None, "nobody waits");
     }
 
     #[test]
@@ -269,9 +185,9 @@ mod tests {
         let rays: Vec<Ray> = (0..3 * MANY).map(ray).collect();
         let mut pool = Pool::of_many(MANY, 1, &BOUNDS).unwrap();
         take(&mut pool, &rays, 0xFF);
-        pool.sort();
+        pool.order.sort(&mut pool.waiting);
         let mut all = Vec::new();
-        while let Some((octant, numbers)) = pool.next() {
+        while let Some((octant, numbers)) = pool.order.next() {
             assert_eq!(numbers.len(), MANY * 3 / 4, "two streams for each octant");
             let ray = |number: u32| rays[number as usize - 100];
             assert!(numbers.iter().all(|n| (ray(*n).direction.z < 0.0) == (octant == 4)));

@@ -2,8 +2,9 @@
 
 use super::abreast::{Abreast, Firsts, RAYS};
 use super::frustum::Frustum;
+use super::inlet::Inlet;
 use super::packet::Packet;
-use super::pool::{Inlet, Pool};
+use super::pool::Pool;
 use super::purpose::Known;
 use super::sheets;
 use super::single::Query;

@@ -6,16 +6,16 @@
 //! a plane within the error of either end of its stretch, it goes to both sides.
 
 use super::ask::Answer;
-use super::lists::{Lists, Task};
+use super::current::{Current, number_from};
+use super::lists::Task;
 use super::query::Prepared;
-use super::stack::{Stack, Waiting};
+use super::stack::Waiting;
 use super::tree::{KdTree, Node};
 use crate::bvh::flow::{self, Reached};
-use crate::bvh::lists::Lists as Blocks;
 use crate::bvh::packet::RAYS;
 use crate::bvh::purpose::At;
-use crate::bvh::record::{Record, columns, rows};
-use crate::bvh::stream::{MANY, Stream};
+use crate::bvh::record::columns;
+use crate::bvh::stream::Stream;
 use common::counters::Counters;
 use common::math::Interval;
 use common::shape::triangle_block::TriangleBlock;
@@ -23,29 +23,6 @@ use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8, u32x8};
 
 /// Fewer rays on a list are faster one by one.
 const FEW: usize = 4;
-
-/// What planes want to know of the rays of a stream, and who waits where.
-pub struct Current {
-    /// By axis and ray: inverse of the direction; origin times inverse; until where planes matter.
-    rows: [Vec<[f32; 4]>; 3],
-    lists: Lists,
-    /// Who waits at the blocks of one leaf.
-    blocks: Blocks,
-    stack: Stack,
-}
-
-impl Current {
-    /// Nobody.
-    pub fn new() -> Self {
-        let rows = [const { Vec::new() }; 3];
-        Self { rows, lists: Lists::new(), blocks: Blocks::new(), stack: Stack::new() }
-    }
-
-    /// For rays that go alone.
-    pub fn stack(&mut self) -> &mut Stack {
-        &mut self.stack
-    }
-}
 
 /// One block of a leaf.
 struct Block<'a, T> {
@@ -73,7 +50,7 @@ impl KdTree<'_> {
         current: &mut Current,
         c: &mut Counters,
     ) {
-        self.enter(simd, stream, interval, current);
+        current.enter(simd, stream, &self.bounds, interval.min);
         while let Some(task) = current.lists.pop() {
             let node = self.nodes[task.node as usize];
             if let Some(next) = current.lists.next() {
@@ -90,44 +67,6 @@ impl KdTree<'_> {
                 }
             }
         }
-    }
-
-    /// Sends the rays that pass the tree's box to the root.
-    #[inline(always)]
-    fn enter<S: Simd>(&self, simd: S, stream: &Stream, interval: Interval, current: &mut Current) {
-        let of = |x: f32| f32x8::splat(simd, x);
-        let Current { rows: all, lists, .. } = current;
-        for row in all.iter_mut() {
-            // Numbers behind the end of a list may be of any stream.
-            row.resize(MANY, [0.0; 4]);
-        }
-        let (places, rays) = (lists.start(stream.rays.len()), stream.rays.len());
-        let mut end = 0;
-        for (first, records) in (0..).step_by(RAYS).zip(stream.records.chunks_exact(RAYS)) {
-            let [r0, r1, r2, r3, r4, r5, r6, r7] = [0, 1, 2, 3, 4, 5, 6, 7].map(|i: usize| &records[i]);
-            let [ix, iy, iz, x, y, z, limit] = Record::beams(simd, [r0, r1, r2, r3, r4, r5, r6, r7]);
-            let (mut enter, mut exit) = (of(interval.min), limit);
-            for axis in 0..3 {
-                let (inverse, offset) = ([ix, iy, iz][axis], [x, y, z][axis]);
-                let backward = stream.octant >> axis & 1;
-                let sides = [self.bounds.min[axis] - stream.room, self.bounds.max[axis] + stream.room];
-                enter = enter.max(of(sides[backward]).mul_sub(inverse, offset));
-                exit = exit.min(of(sides[backward ^ 1]).mul_sub(inverse, offset));
-                let [low, high] = rows(simd, [inverse, offset, limit, limit]);
-                let row = &mut all[axis][first..first + RAYS];
-                for lane in 0..RAYS / 2 {
-                    low[lane].store_slice(&mut row[lane]);
-                    high[lane].store_slice(&mut row[lane + RAYS / 2]);
-                }
-            }
-            let numbers = number_from(simd, first as u32);
-            let inside = enter.simd_le(exit) & numbers.simd_lt(u32x8::splat(simd, rays as u32));
-            simd.compress_u32x8(numbers, inside).store_slice(&mut places.rays[end..end + RAYS]);
-            simd.compress_f32x8(enter, inside).store_slice(&mut places.enter[end..end + RAYS]);
-            simd.compress_f32x8(exit, inside).store_slice(&mut places.exit[end..end + RAYS]);
-            end += inside.to_bitmask().count_ones() as usize;
-        }
-        lists.at_root(end);
     }
 
     /// Looks into a leaf with all rays of a list.
@@ -212,12 +151,6 @@ impl KdTree<'_> {
             rows[ray][2] = record.limit();
         }
     }
-}
-
-/// Eight numbers, one after the other.
-#[inline(always)]
-fn number_from<S: Simd>(simd: S, first: u32) -> u32x8<S> {
-    u32x8::from_slice(simd, &[0, 1, 2, 3, 4, 5, 6, 7]) + u32x8::splat(simd, first)
 }
 
 /// Sends the rays of a list to the sides of a node's plane that they pass.

@@ -10,6 +10,7 @@ mod ask;
 mod build;
 mod clip;
 mod coarse;
+mod current;
 mod event;
 mod flow;
 mod leaf;

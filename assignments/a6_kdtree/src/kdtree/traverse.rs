@@ -6,7 +6,7 @@
 //! visited, so no rounding can lose a leaf that the ray passes.
 
 use super::ask::{Answer, Asker};
-use super::flow::Current;
+use super::current::Current;
 use super::query::{Prepared, Query};
 use super::stack::{Stack, Waiting};
 use super::tree::{KdTree, Node};
@@ -138,7 +138,7 @@ impl KdTree<'_> {
                 for first in part.step_by(RAYS) {
                     let eight = first..rays.len().min(first + RAYS);
                     let (rays, answers) = (&rays[eight.clone()], &mut answers[eight]);
-                    self.eight(s, rays, interval, answers, (pool.as_mut(), first), current.stack(), c);
+                    self.eight(s, rays, interval, answers, (pool.as_mut(), first), &mut current.stack, c);
                 }
             });
             if let Some(pool) = pool.as_mut().filter(|pool| pool.is_full() || is_last) {
