@@ -6,8 +6,8 @@
 //! of its corners moved, by as little as will do.
 
 use crate::collapse::against::middle;
-use crate::collapse::lattice::Grid;
 use crate::collapse::locate::{locate, square};
+use crate::collapse::nearby::Nearby;
 use crate::collapse::ring::is_no_worse;
 use crate::collapse::surface::{NONE, Surface, next, previous};
 use crate::collapse::witness::{Vicinity, Witness};
@@ -19,8 +19,6 @@ const STEPS: [f64; 9] = [0.03, 0.05, 0.08, 0.11, 0.16, 0.23, 0.34, 0.5, 0.75];
 /// original is tried again.
 const FINENESS: [i32; 3] = [3, 4, FINEST];
 const FINEST: i32 = 7;
-/// How far one may look beyond what is around a face before the whole original has to be asked.
-const MARGIN: f64 = 0.2;
 /// How many samples of the original tell which of several moves is best.
 const MOST_SAMPLES: usize = 60;
 
@@ -32,6 +30,7 @@ pub(super) struct Mender<'a> {
     fixed: &'a [bool],
     /// For every point one of the original's that should be close.
     near: &'a [u32],
+    is_quick: bool,
 }
 
 /// A point that may be moved.
@@ -61,20 +60,9 @@ struct Move {
 }
 
 impl<'a> Mender<'a> {
-    /// For some faces of a surface.
-    pub(super) fn new(
-        original: &Grid<'a>,
-        surface: &Surface,
-        faces: &[u32],
-        fixed: &'a [bool],
-        near: &'a [u32],
-    ) -> Self {
-        let places = faces.iter().map(|&face| {
-            let (low, high) = around(surface, face);
-            let more = MARGIN * (high - low).max_element();
-            (low - more, high + more)
-        });
-        Self { original: original.surface, witness: Witness::around(original, places.collect()), fixed, near }
+    /// For surfaces of an original; for a quick one it is enough that the point that moves stays near that.
+    pub(super) fn new(original: &'a Nearby<'a>, fixed: &'a [bool], near: &'a [u32], is_quick: bool) -> Self {
+        Self { original: original.surface, witness: Witness(original), fixed, near, is_quick }
     }
 
     /// Moves corners of some faces until none of them looks against the original, and no other that
@@ -118,6 +106,14 @@ impl<'a> Mender<'a> {
         let found = STEPS.iter().map(moves).find(|moves| !moves.is_empty())?;
         if let [only] = found[..] {
             return Some(only);
+        }
+        if self.is_quick {
+            let off = |to: &Move| locate(self.original, self.near[to.point as usize], to.to).0;
+            return found
+                .into_iter()
+                .map(|to| (off(&to), to))
+                .min_by(|a, b| a.0.total_cmp(&b.0))
+                .map(|(_, to)| to);
         }
         let samples = self.samples(surface, face);
         // Moves of one point follow each other.
@@ -168,7 +164,7 @@ impl<'a> Mender<'a> {
         corner.ways.iter().map(moved).filter(|to| corner.helps(face, to.to)).collect()
     }
 
-    /// Middles of some of the original's faces around a face.
+    /// Nearby of some of the original's faces around a face.
     fn samples(&self, surface: &Surface, face: u32) -> Vec<DVec3> {
         let (low, high) = around(surface, face);
         let samples = self.witness.middles_within(low, high);
