@@ -87,12 +87,14 @@ impl<'a> Mender<'a> {
         let points = surface.faces[face as usize].corners();
         let corners = points.map(|p| surface.at(p));
         let (middle, _) = middle(corners);
-        self.witness.agrees(corners, self.farthest(points[0], middle))
+        self.witness.agrees(corners, self.farthest(points, middle))
     }
 
-    /// What the original is not farther than from the middle of a face at a point.
-    fn farthest(&self, point: u32, middle: DVec3) -> f64 {
-        locate(self.original, self.near[point as usize], middle).0.sqrt()
+    /// What the original is not farther than from the middle of a face with some corners: what is found from one of them may
+    /// be far from the nearest.
+    fn farthest(&self, points: [u32; 3], middle: DVec3) -> f64 {
+        let squares = points.map(|point| locate(self.original, self.near[point as usize], middle).0);
+        squares.into_iter().fold(f64::INFINITY, f64::min).sqrt()
     }
 
     /// Of the least moves that help the one that is best for what is around.
@@ -144,7 +146,8 @@ impl<'a> Mender<'a> {
         let spoke = |h: u32| {
             let [p, q] = sides(surface, h);
             let (middle, _) = middle([from, p, q]);
-            let vicinity = Vicinity::of(middle, self.farthest(point, middle));
+            let vicinity =
+                Vicinity::of(middle, self.farthest(surface.faces[(h >> 2) as usize].corners(), middle));
             Spoke { face: h >> 2, sides: [p, q], vicinity }
         };
         Corner { point, from, ways, spokes: surface.fan(point).map(spoke).collect() }

@@ -79,8 +79,8 @@ impl<'a> Nearby<'a> {
     fn fill(&mut self, places: &[Vec3], entries: &[(u32, u32)]) {
         let blocks = entries.len().div_ceil(LANES);
         self.faces = vec![[0; LANES]; blocks];
-        // No distance is less than one that is not a number.
-        self.columns = vec![[[f32::NAN; LANES]; 7]; blocks];
+        // What is left over of the last eight is a face without size that looks nowhere: it may be told.
+        self.columns = vec![[[0.0; LANES]; 7]; blocks];
         let (mut last, mut entry) = (NONE, [0.0; 7]);
         for &(slot, face) in entries {
             if face != last {

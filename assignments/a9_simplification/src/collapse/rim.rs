@@ -117,7 +117,7 @@ mod tests {
     fn surface() -> Surface {
         let n = 40u32;
         let height = |i: u32| if i % n < 20 { 0.3 } else { 2.0 } * ((i % 7) * (i % 11)) as f32 / 20.0;
-        let x = |i: u32| (i % n) as f32 + if i % 13 == 0 { 0.97 } else { 0.0 };
+        let x = |i: u32| (i % n) as f32 + if i.is_multiple_of(13) { 0.97 } else { 0.0 };
         let places: Vec<Vec3> =
             (0..n * n).map(|i| Vec3::new(x(i), height(i), (i / n) as f32 + 1e3)).collect();
         let square = |i: u32| [[i, i + n, i + 1], [i + 1, i + n, i + n + 1]];

@@ -24,6 +24,9 @@ const MEMORY: f64 = 0.7;
 /// … and when it is for the first time: of the original much is still there.
 const FIRST_MEMORY: f64 = 0.49;
 
+/// What share of the faces has to be gone before all edges that are left are worth another look.
+const WORTHWHILE: usize = 1024;
+
 /// When it is somebody's turn.
 type Turn<C> = <<C as Cost>::Line as Line>::Turn;
 
@@ -96,7 +99,8 @@ impl<C: Cost> Run<C> {
     /// What was refused may have become possible by what has gone since.
     #[cold]
     fn again(&mut self, steps: usize) -> Option<(u32, Turn<C>)> {
-        if self.surface.alive == self.asked_at {
+        let gone = self.asked_at - self.surface.alive;
+        if !C::IS_QUICK || gone <= self.surface.alive / WORTHWHILE {
             return None;
         }
         self.asked_at = self.surface.alive;
