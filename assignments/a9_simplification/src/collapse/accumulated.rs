@@ -9,16 +9,17 @@
 //! Each is kept about the point that it belongs to, not about the origin: numbers stay small where
 //! distances are, and nothing cancels far from the origin.
 
-use crate::collapse::abreast::{Edges, Symmetrics, price_all};
+use crate::collapse::abreast::{Symmetrics, price_all};
 use crate::collapse::banded::Banded;
 use crate::collapse::cost::{Cost, Merge, Offer, cheapest_by_form, without_bias};
 use crate::collapse::memoryless::{line, plane};
 use crate::collapse::quadric::Symmetric;
 use crate::collapse::ring::Ring;
+use crate::collapse::rows::rows_turned;
 use crate::collapse::surface::{NONE, Surface};
-use common::math::DVec3;
 use common::math::lanes::{LANES, dot, scale, subtract, widen};
-use common::simd::{self, Simd, SimdBase, dispatch, f32x8, f64x8, prefetch};
+use common::math::{DVec3, Vec3};
+use common::simd::{self, Simd, SimdBase, dispatch, f64x8, prefetch};
 
 /// Share of the trace by which a minimum must be determined: well above the rounding of single precision.
 const LEAST_RANK: f64 = 1e-6;
@@ -27,9 +28,11 @@ const LEAST_RANK: f64 = 1e-6;
 const SHAPE: f64 = 1e-7;
 
 /// yᵀ·A·y + 2·b·y + c for y relative to the point: the entries of A as in [`Symmetric`], those of b, and c. In single
-/// precision, whose rounding is far below what the length of an edge counts, so that less memory is moved.
+/// precision, whose rounding is far below what the length of an edge counts, so that less memory is moved. Then where the
+/// point is, so that all that an edge needs of it lies in one cache line.
 #[derive(Clone, Copy, Default)]
-struct Quadric([f32; 10]);
+#[repr(align(64))]
+struct Quadric([f32; 16]);
 
 /// For every point the sum over all triangles that went into it of √area times the squared
 /// distance to the plane: the area itself gives a root mean square that is a few parts in a hundred less, and spots that
@@ -43,7 +46,14 @@ impl Quadric {
     fn new(Symmetric(a): Symmetric, b: DVec3, c: f64) -> Self {
         let [xx, xy, xz, yy, yz, zz] = a.map(|entry| entry as f32);
         let [x, y, z] = b.as_vec3().to_array();
-        Self([xx, xy, xz, yy, yz, zz, x, y, z, c as f32])
+        Self([xx, xy, xz, yy, yz, zz, x, y, z, c as f32, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+    }
+
+    /// The same for a point that is there.
+    #[inline(always)]
+    fn at(mut self, place: Vec3) -> Self {
+        [self.0[10], self.0[11], self.0[12]] = place.to_array();
+        self
     }
 
     #[inline(always)]
@@ -54,13 +64,19 @@ impl Quadric {
 
     #[inline(always)]
     fn b(&self) -> DVec3 {
-        let [.., x, y, z, _] = self.0;
+        let [_, _, _, _, _, _, x, y, z, ..] = self.0;
         DVec3::new(x.into(), y.into(), z.into())
     }
 
     #[inline(always)]
     fn c(&self) -> f64 {
         self.0[9].into()
+    }
+
+    /// Where the point is, in the unit of the mesh.
+    #[inline(always)]
+    fn place(&self) -> DVec3 {
+        Vec3::new(self.0[10], self.0[11], self.0[12]).as_dvec3()
     }
 
     #[inline(always)]
@@ -86,7 +102,8 @@ impl Quadric {
 impl Accumulated {
     /// Of all points of a surface.
     pub(super) fn new(surface: &Surface) -> Self {
-        let mut new = Self { of: vec![Quadric::default(); surface.points.len()] };
+        let of = surface.points.iter().map(|point| Quadric::default().at(point.at)).collect();
+        let mut new = Self { of };
         new.sum_up(surface);
         new
     }
@@ -117,13 +134,15 @@ impl Accumulated {
 }
 
 impl Accumulated {
-    /// A, r and c as in [`cheapest_by_form`].
+    /// Where an edge starts, the edge, and its A, r and c as in [`cheapest_by_form`].
     #[inline(always)]
-    fn form(&self, surface: &Surface, h: u32, edge: DVec3) -> (Symmetric, DVec3, f64) {
-        let [p, q] = [surface.start(h), surface.end(h)].map(|point| &self.of[point as usize]);
+    fn form(&self, surface: &Surface, h: u32) -> (DVec3, DVec3, (Symmetric, DVec3, f64)) {
+        let [p, q] = [&self.of[surface.start(h) as usize], &self.of[surface.end(h) as usize]];
+        let from = p.place() * surface.scale;
+        let edge = q.place() * surface.scale - from;
         let across = q.a().times(edge);
         let sum = p.plus(q);
-        (sum.a(), across - sum.b(), sum.c() + edge.dot(across - q.b() * 2.0))
+        (from, edge, (sum.a(), across - sum.b(), sum.c() + edge.dot(across - q.b() * 2.0)))
     }
 }
 
@@ -131,12 +150,18 @@ impl Accumulated {
     /// What eight edges cost; no number where [`Cost::price`] must tell.
     #[inline(always)]
     fn price_eight<S: Simd>(&self, simd: S, surface: &Surface, edges: &[u32; LANES]) -> [f64; LANES] {
-        let edges = Edges::new(surface, edges);
-        let [p, q] = edges.of_ends(|point| &self.of[point as usize].0);
-        let edge = edges.along(simd);
+        let (mut starts, mut ends) = ([&self.of[0].0; LANES], [&self.of[0].0; LANES]);
+        for lane in 0..LANES {
+            starts[lane] = &self.of[surface.start(edges[lane]) as usize].0;
+            ends[lane] = &self.of[surface.end(edges[lane]) as usize].0;
+        }
+        let (p, q) = (rows_turned(simd, &starts), rows_turned(simd, &ends));
+        let unit = f64x8::splat(simd, surface.scale);
+        let along = |i: usize| widen(simd, q[i]) * unit - widen(simd, p[i]) * unit;
+        let edge = [along(10), along(11), along(12)];
         let two = f64x8::splat(simd, 2.0);
-        let sum = |i: usize| widen(simd, f32x8::from_slice(simd, &p.0[i]) + f32x8::from_slice(simd, &q.0[i]));
-        let of_end = |i: usize| widen(simd, f32x8::from_slice(simd, &q.0[i]));
+        let sum = |i: usize| widen(simd, p[i] + q[i]);
+        let of_end = |i: usize| widen(simd, q[i]);
         let a_of_end = [of_end(0), of_end(1), of_end(2), of_end(3), of_end(4), of_end(5)];
         let across = Symmetrics(a_of_end).times(edge);
         let a = Symmetrics([sum(0), sum(1), sum(2), sum(3), sum(4), sum(5)]);
@@ -152,6 +177,7 @@ impl Cost for Accumulated {
     type Line = Banded;
 
     const PATIENCE: u32 = 4;
+    const IS_QUICK: bool = true;
 
     #[inline(always)]
     fn prefetch(&self, point: u32) {
@@ -160,7 +186,8 @@ impl Cost for Accumulated {
 
     #[inline(always)]
     fn price(&self, surface: &Surface, h: u32) -> Offer {
-        cheapest_by_form(surface, h, (LEAST_RANK, SHAPE), |edge| self.form(surface, h, edge))
+        let (from, edge, form) = self.form(surface, h);
+        cheapest_by_form(from, edge, (LEAST_RANK, SHAPE), form)
     }
 
     fn price_all(&self, surface: &Surface, what: impl FnMut(u32, f64)) {
@@ -169,15 +196,13 @@ impl Cost for Accumulated {
     }
 
     fn place(&self, surface: &Surface, h: u32, offer: &Offer) -> DVec3 {
-        let from = surface.at(surface.start(h));
-        let edge = surface.at(surface.end(h)) - from;
-        let (a, r, _) = self.form(surface, h, edge);
+        let (from, edge, (a, r, _)) = self.form(surface, h);
         from + without_bias(a, r, edge, LEAST_RANK, offer.place - from)
     }
 
     fn forget(&mut self, surface: &Surface) {
         let points = surface.points.iter().zip(&mut self.of);
-        points.filter(|(point, _)| point.out != NONE).for_each(|(_, of)| *of = Quadric::default());
+        points.filter(|(point, _)| point.out != NONE).for_each(|(p, of)| *of = Quadric::default().at(p.at));
         self.sum_up(surface);
     }
 
@@ -186,9 +211,10 @@ impl Cost for Accumulated {
         self.of.capacity() * size_of::<Quadric>()
     }
 
-    fn merged(&mut self, _: &Surface, _: &Ring, merge: &Merge) {
+    fn merged(&mut self, surface: &Surface, _: &Ring, merge: &Merge) {
         let [p, q] = [merge.kept, merge.gone].map(|point| self.of[point as usize]);
         let [p, q] = [p.moved(merge.place - merge.from[0]), q.moved(merge.place - merge.from[1])];
-        self.of[merge.kept as usize] = p.plus(&q);
+        let place = surface.points[merge.kept as usize].at;
+        self.of[merge.kept as usize] = p.plus(&q).at(place);
     }
 }

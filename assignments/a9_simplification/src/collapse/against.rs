@@ -3,142 +3,87 @@
 //!
 //! To find the nearest of all triangles for each face takes as long as a fast simplification. But most
 //! faces have no triangle near by that looks another way: it is enough to know some distance that is
-//! no less than that of the nearest, and to ask each triangle whose middle is as near as that to it. Only
-//! around the faces that are left then the original is sorted.
+//! no less than that of the nearest, and to ask each triangle that is as near as that to its middle.
 
-use crate::collapse::boxes::Boxes;
-use crate::collapse::lattice::{Cells, Grid, Lattice};
 use crate::collapse::locate::{locate, square};
-use crate::collapse::looks::{Least, Look, Looks, are_along, bounds};
+use crate::collapse::nearby::Nearby;
 use crate::collapse::surface::Surface;
 use crate::collapse::witness::FARTHER;
-use common::math::DVec3;
+use common::math::{DVec3, Vec3};
+use common::simd::{self, Simd, dispatch};
 
-/// Size of the cells in which one looks closely, in sides of the original's faces.
-pub(super) const CELL: f64 = 1.0;
-
-/// Slots for each face of the original.
-const SLOTS: usize = 2;
-
-/// Least size of a cell in terms of how far middles are from the original.
-const REACHES: f64 = 1.5;
-
-/// Least squared sine of a corner at which weights are not lost by rounding …
-const LEAST_SINE2: f64 = 1e-4;
-/// … of more than this share.
-const ROUNDING: f64 = 1e-6;
-
-/// A face of a surface: where and where to it looks.
+/// A face of a surface: where it is and where to it looks.
 #[derive(Clone, Copy)]
 pub(super) struct Probe {
-    pub middle: DVec3,
-    pub normal: DVec3,
+    middle: DVec3,
+    normal: DVec3,
     /// What the original is not farther than.
-    pub reach: f64,
-    /// The cells that what is within its reach can be in, as long as that is asked.
-    pub cells: Cells,
-    /// Bounds of its normal, likewise.
-    pub least: Least,
+    reach: f64,
 }
 
-/// The faces of a surface that may look against the original: few more than those that do. `near` tells for
-/// every point of the surface one of the original's that should be close, `was` for every face which of the
-/// original's it was.
-pub(super) fn suspects(original: &Surface, surface: &Surface, near: &[u32], was: &[u32]) -> Vec<u32> {
-    let probe = |face: usize| probe(original, surface, near, was, face);
-    let mut probes: Vec<Probe> = (0..was.len()).map(probe).collect();
-    let against = against(&Grid::new(original, CELL), &mut probes);
-    let is_suspect = |&face: &usize| {
+/// All faces of a surface. `near` tells for every point of the surface one of the original's that should be close, `was`
+/// for every face which of the original's it was.
+pub(super) fn probes(original: &Surface, surface: &Surface, near: &[u32], was: &[u32]) -> Vec<Probe> {
+    let probe = |(face, &was): (usize, &u32)| {
+        let (middle, normal) = middle(surface.places(face));
+        let triangle = Triangle::of(original, was);
         let start = near[surface.faces[face].corners()[0] as usize];
-        against[face] < f64::INFINITY && !probes[face].looks_along(original, start, against[face])
+        let square = triangle.square_at_most(middle).min(original.at(start).distance_squared(middle));
+        Probe { middle, normal, reach: square.sqrt() * FARTHER }
     };
-    (0..was.len()).filter(is_suspect).map(|face| face as u32).collect()
+    was.iter().enumerate().map(probe).collect()
 }
 
-fn mean_reach(probes: &[Probe]) -> f64 {
-    probes.iter().map(|probe| probe.reach).sum::<f64>() / probes.len() as f64
+/// How far one looks from the middles of faces, in the mean.
+pub(super) fn mean_reach(probes: &[Probe]) -> f64 {
+    probes.iter().map(|probe| probe.reach).sum::<f64>() / probes.len().max(1) as f64
+}
+
+/// The faces of a surface that may look against the original: few more than those that do.
+pub(super) fn suspects(original: &Nearby, surface: &Surface, near: &[u32], probes: &[Probe]) -> Vec<u32> {
+    dispatch!(simd::level(), s => suspects_with(s, original, surface, near, probes))
 }
 
 #[inline(always)]
-fn probe(original: &Surface, surface: &Surface, near: &[u32], was: &[u32], face: usize) -> Probe {
-    let a = surface.faces[face].corners()[0];
-    let (middle, normal) = middle(surface.places(face));
-    let triangle = Triangle::of(original, was[face]);
-    let square = triangle.square_above(middle).unwrap_or_else(|| {
-        let start = original.at(near[a as usize]).distance_squared(middle);
-        triangle.square(middle).min(start)
-    });
-    Probe { middle, normal, reach: square.sqrt() * FARTHER, cells: Cells::default(), least: Least::default() }
-}
-
-/// For every probe the squared distance of what is nearest of all that looks against it, infinite if there is
-/// nothing of that kind within reach.
-fn against(original: &Grid, probes: &mut [Probe]) -> Vec<f64> {
-    let lattice =
-        original.coarser(REACHES * mean_reach(probes)).with_slots(SLOTS * original.surface.faces.len());
-    let mut looks = Looks::new(lattice);
-    for probe in &mut *probes {
-        (probe.cells, probe.least) = (probe.around(&lattice), bounds(probe.normal));
-        looks.add(&probe.cells, &probe.least);
-    }
-    let Asking { faces, slots } = Asking::of(original, &lattice, &looks);
-    let boxes = Boxes::new(lattice, probes.len(), |i| probes[i].cells, |slot| slots[slot]);
-    let mut against = vec![f64::INFINITY; probes.len()];
-    for face in faces {
-        let look = Look::of(original.surface.faces[face as usize].look());
-        boxes.near(&original.cells(&lattice, face), |i| {
-            let probe = &probes[i as usize];
-            if !are_along(&probe.least, &look)
-                && let Some(square) = probe.against(&Triangle::of(original.surface, face))
-            {
-                let nearest = &mut against[i as usize];
-                *nearest = nearest.min(square);
+fn suspects_with<S: Simd>(
+    simd: S,
+    original: &Nearby,
+    surface: &Surface,
+    near: &[u32],
+    probes: &[Probe],
+) -> Vec<u32> {
+    let mut suspects = Vec::new();
+    // Not by `filter`: what is called by others is not compiled for the processor that is there.
+    for (face, probe) in (0u32..).zip(probes) {
+        let mut nearest = f64::INFINITY;
+        original.near(simd, (probe.middle, probe.reach), probe.way(), |face| {
+            if let Some(square) = probe.against(original.surface, face) {
+                nearest = nearest.min(square);
             }
         });
-    }
-    against
-}
-
-/// The faces of an original that may look against some of what is near them, and in which slots.
-struct Asking {
-    faces: Vec<u32>,
-    slots: Vec<bool>,
-}
-
-impl Asking {
-    fn of(original: &Grid, lattice: &Lattice, looks: &Looks) -> Self {
-        let (mut faces, mut slots) = (Vec::new(), vec![false; lattice.slots()]);
-        for (i, face) in (0..).zip(&original.surface.faces) {
-            let (cells, look) = (original.cells(lattice, i), Look::of(face.look()));
-            let mut asks = looks.anywhere || cells.are_many();
-            looks.not_along(&cells, &look, |slot| (asks, slots[slot]) = (true, true));
-            if asks {
-                faces.push(i);
-            }
+        let start = near[surface.faces[face as usize].corners()[0] as usize];
+        if nearest < f64::INFINITY && !probe.looks_along(original.surface, start, nearest) {
+            suspects.push(face);
         }
-        Self { faces, slots }
     }
+    suspects
 }
 
-/// Bytes that are held while one looks for suspects among so many faces, if each is in two cells.
+/// Bytes that are held for so many faces.
 #[cfg(test)]
-pub(super) fn bytes(original: &Grid, faces: usize) -> usize {
-    let each_slot = size_of::<Least>() + size_of::<u32>() + size_of::<bool>();
-    let each_face = size_of::<Probe>() + size_of::<f64>() + 2 * size_of::<u32>();
-    let slots = original.coarser(0.0).with_slots(SLOTS * original.surface.faces.len()).slots();
-    original.bytes() + slots * each_slot + faces * each_face
+pub(super) fn bytes(faces: usize) -> usize {
+    size_of::<Probe>() * faces
 }
 
 impl Probe {
-    /// The cells of what is within its reach.
     #[inline(always)]
-    pub(super) fn around(&self, lattice: &Lattice) -> Cells {
-        lattice.cells(self.middle - self.reach, self.middle + self.reach)
+    fn way(&self) -> Vec3 {
+        (self.normal / self.normal.abs().max_element()).as_vec3()
     }
 
     /// The squared distance of a triangle if it is within reach and looks the other way.
-    #[inline(always)]
-    fn against(&self, triangle: &Triangle) -> Option<f64> {
+    fn against(&self, original: &Surface, face: u32) -> Option<f64> {
+        let triangle = Triangle::of(original, face);
         if triangle.normal.dot(self.normal) >= 0.0 {
             return None;
         }
@@ -172,19 +117,18 @@ impl Triangle {
         Self { corners, normal: middle(corners).1 }
     }
 
-    /// Squared distance to a point that is surely above the inside of the triangle, or below; no sliver has such.
+    /// Squared distance of a point from some place in it: below the point, unless that is outside. No number for what has
+    /// no area.
     #[inline(always)]
-    fn square_above(&self, p: DVec3) -> Option<f64> {
+    fn square_at_most(&self, p: DVec3) -> f64 {
         let [a, b, c] = self.corners;
         let (u, v, w) = (b - a, c - a, p - a);
         let (uu, uv, vv, uw, vw) = (u.dot(u), u.dot(v), v.dot(v), u.dot(w), v.dot(w));
-        // Weights of b and c, and of all three, up to a factor.
+        // Weights of b and c, and of all three, up to a factor; what is outside is brought back.
         let (of_b, of_c, all) = (vv * uw - uv * vw, uu * vw - uv * uw, uu * vv - uv * uv);
-        let least = ROUNDING * all;
-        let is_above =
-            all > LEAST_SINE2 * uu * vv && of_b > least && of_c > least && of_b + of_c < all - least;
-        let above = self.normal.dot(w);
-        is_above.then(|| above * above / self.normal.length_squared())
+        let (of_b, of_c) = (of_b.max(0.0), of_c.max(0.0));
+        let share = 1.0 / all.max(of_b + of_c);
+        (w - u * (of_b * share) - v * (of_c * share)).length_squared()
     }
 
     /// Squared distance to a point.

@@ -36,7 +36,8 @@ struct Around {
 
 /// Builds the surface of triangles over points; no triangle has a point twice.
 pub(super) fn build(places: &[Vec3], triangles: impl Iterator<Item = [u32; 3]>) -> Built {
-    let faces: Vec<Face> = triangles.map(Face::new).collect();
+    let mut faces = Vec::with_capacity(triangles.size_hint().1.unwrap_or(0));
+    faces.extend(triangles.map(Face::new));
     let points = places.iter().map(|&at| Point { at, out: NONE }).collect();
     let alive = faces.len();
     let mut built = Built {

@@ -40,6 +40,10 @@ pub(super) trait Cost: Clone {
     /// How many drawers dearer than thought an edge may be and still not be put back.
     const PATIENCE: u32 = 0;
 
+    /// Whether what is sure at a quick look is not looked at closely, so that [`Cost::merged`] is told nothing of the ring;
+    /// what was refused has to wait until a step ends at it.
+    const IS_QUICK: bool = false;
+
     /// What it costs besides if the ends of an edge, which were at `from`, are drawn together at `place`, and that
     /// cuts off a tip; `ring` knows how all looks after the step.
     fn lost(ring: &Ring, from: [DVec3; 2], place: DVec3) -> f64 {
@@ -91,19 +95,16 @@ pub(super) fn cheapest(
     Offer { cost: cost + shape * a.trace() * edge.length_squared(), place: from + y }
 }
 
-/// The same if `form` tells A, r and c, so that it costs yᵀ·A·y − 2·r·y + c to put the point at y, seen from the
-/// edge's start, and a minimum must be determined by `least_rank` of the trace. That is less to work out, but what is
-/// lost by cancellation must not be more than what the length of the edge counts.
+/// The same for an edge from a place if the form is A, r and c, so that it costs yᵀ·A·y − 2·r·y + c to put the point at
+/// y, seen from the edge's start, and a minimum must be determined by `least_rank` of the trace. That is less to work out,
+/// but what is lost by cancellation must not be more than what the length of the edge counts.
 #[inline(always)]
 pub(super) fn cheapest_by_form(
-    surface: &Surface,
-    h: u32,
+    from: DVec3,
+    edge: DVec3,
     (least_rank, shape): (f64, f64),
-    form: impl FnOnce(DVec3) -> (Symmetric, DVec3, f64),
+    (a, r, c): (Symmetric, DVec3, f64),
 ) -> Offer {
-    let from = surface.at(surface.start(h));
-    let edge = surface.at(surface.end(h)) - from;
-    let (a, r, c) = form(edge);
     let (y, cost) = minimum(a, r, edge, least_rank, |y| y.dot(a.times(y) - r * 2.0) + c);
     Offer { cost: cost + shape * a.trace() * edge.length_squared(), place: from + y }
 }

@@ -1,14 +1,14 @@
 //! A mesh made ready, and the levels that one run goes through.
 
 use crate::collapse::accumulated::Accumulated;
-use crate::collapse::against::{CELL, suspects};
+use crate::collapse::against::{mean_reach, probes, suspects};
 use crate::collapse::build::{Built, build};
 use crate::collapse::cost::Cost;
 use crate::collapse::deviation::{closest, deviation};
-use crate::collapse::lattice::Grid;
 use crate::collapse::melax::Curvature;
 use crate::collapse::memoryless::Memoryless;
 use crate::collapse::mend::Mender;
+use crate::collapse::nearby::Nearby;
 use crate::collapse::original::Original;
 use crate::collapse::refit::Refit;
 use crate::collapse::run::Run;
@@ -158,6 +158,15 @@ impl<C: Cost> Levels<'_, C> {
         }
     }
 
+    /// Sees to it that no face looks against the original, and tells how many still do.
+    fn mend(&self, snapshot: &mut Snapshot, near: &[u32]) -> usize {
+        let (original, left) = (&self.prepared.built.surface, &mut snapshot.surface);
+        let probes = probes(original, left, near, &snapshot.faces);
+        let original = Nearby::new(original, mean_reach(&probes));
+        let suspects = suspects(&original, left, near, &probes);
+        Mender::new(&original, &snapshot.fixed, near, C::IS_QUICK).mend(left, suspects)
+    }
+
     /// Bound of the distance between what is left and the original, both ways.
     fn error(&self, snapshot: &Snapshot) -> f64 {
         let (original, left) = (&self.prepared.built.surface, &snapshot.surface);
@@ -200,12 +209,7 @@ impl<C: Cost> Level for Levels<'_, C> {
         if changed {
             let near = closest(&built.surface, &snapshot.surface, &snapshot.becomes);
             self.fit(&mut snapshot, &near);
-            let suspects = suspects(&built.surface, &snapshot.surface, &near, &snapshot.faces);
-            if !suspects.is_empty() {
-                let original = Grid::new(&built.surface, CELL);
-                let mender = Mender::new(&original, &snapshot.surface, &suspects, &snapshot.fixed, &near);
-                against = mender.mend(&mut snapshot.surface, suspects);
-            }
+            against = self.mend(&mut snapshot, &near);
         }
         let error = bound.then(|| if changed { self.error(&snapshot) } else { 0.0 });
         let (mesh, becomes) = snapshot.mesh(&welded.point_of, self.run.wedges.as_ref());

@@ -6,8 +6,8 @@
 //! of its corners moved, by as little as will do.
 
 use crate::collapse::against::middle;
-use crate::collapse::lattice::Grid;
 use crate::collapse::locate::{locate, square};
+use crate::collapse::nearby::Nearby;
 use crate::collapse::ring::is_no_worse;
 use crate::collapse::surface::{NONE, Surface, next, previous};
 use crate::collapse::witness::{Vicinity, Witness};
@@ -19,8 +19,6 @@ const STEPS: [f64; 9] = [0.03, 0.05, 0.08, 0.11, 0.16, 0.23, 0.34, 0.5, 0.75];
 /// original is tried again.
 const FINENESS: [i32; 3] = [3, 4, FINEST];
 const FINEST: i32 = 7;
-/// How far one may look beyond what is around a face before the whole original has to be asked.
-const MARGIN: f64 = 0.2;
 /// How many samples of the original tell which of several moves is best.
 const MOST_SAMPLES: usize = 60;
 
@@ -32,6 +30,7 @@ pub(super) struct Mender<'a> {
     fixed: &'a [bool],
     /// For every point one of the original's that should be close.
     near: &'a [u32],
+    is_quick: bool,
 }
 
 /// A point that may be moved.
@@ -61,20 +60,9 @@ struct Move {
 }
 
 impl<'a> Mender<'a> {
-    /// For some faces of a surface.
-    pub(super) fn new(
-        original: &Grid<'a>,
-        surface: &Surface,
-        faces: &[u32],
-        fixed: &'a [bool],
-        near: &'a [u32],
-    ) -> Self {
-        let places = faces.iter().map(|&face| {
-            let (low, high) = around(surface, face);
-            let more = MARGIN * (high - low).max_element();
-            (low - more, high + more)
-        });
-        Self { original: original.surface, witness: Witness::around(original, places.collect()), fixed, near }
+    /// For surfaces of an original; for a quick one it is enough that the point that moves stays near that.
+    pub(super) fn new(original: &'a Nearby<'a>, fixed: &'a [bool], near: &'a [u32], is_quick: bool) -> Self {
+        Self { original: original.surface, witness: Witness(original), fixed, near, is_quick }
     }
 
     /// Moves corners of some faces until none of them looks against the original, and no other that
@@ -99,12 +87,14 @@ impl<'a> Mender<'a> {
         let points = surface.faces[face as usize].corners();
         let corners = points.map(|p| surface.at(p));
         let (middle, _) = middle(corners);
-        self.witness.agrees(corners, self.farthest(points[0], middle))
+        self.witness.agrees(corners, self.farthest(points, middle))
     }
 
-    /// What the original is not farther than from the middle of a face at a point.
-    fn farthest(&self, point: u32, middle: DVec3) -> f64 {
-        locate(self.original, self.near[point as usize], middle).0.sqrt()
+    /// What the original is not farther than from the middle of a face with some corners: what is found from one of them may
+    /// be far from the nearest.
+    fn farthest(&self, points: [u32; 3], middle: DVec3) -> f64 {
+        let squares = points.map(|point| locate(self.original, self.near[point as usize], middle).0);
+        squares.into_iter().fold(f64::INFINITY, f64::min).sqrt()
     }
 
     /// Of the least moves that help the one that is best for what is around.
@@ -118,6 +108,14 @@ impl<'a> Mender<'a> {
         let found = STEPS.iter().map(moves).find(|moves| !moves.is_empty())?;
         if let [only] = found[..] {
             return Some(only);
+        }
+        if self.is_quick {
+            let off = |to: &Move| locate(self.original, self.near[to.point as usize], to.to).0;
+            return found
+                .into_iter()
+                .map(|to| (off(&to), to))
+                .min_by(|a, b| a.0.total_cmp(&b.0))
+                .map(|(_, to)| to);
         }
         let samples = self.samples(surface, face);
         // Moves of one point follow each other.
@@ -148,7 +146,8 @@ impl<'a> Mender<'a> {
         let spoke = |h: u32| {
             let [p, q] = sides(surface, h);
             let (middle, _) = middle([from, p, q]);
-            let vicinity = Vicinity::of(middle, self.farthest(point, middle));
+            let vicinity =
+                Vicinity::of(middle, self.farthest(surface.faces[(h >> 2) as usize].corners(), middle));
             Spoke { face: h >> 2, sides: [p, q], vicinity }
         };
         Corner { point, from, ways, spokes: surface.fan(point).map(spoke).collect() }
@@ -168,7 +167,7 @@ impl<'a> Mender<'a> {
         corner.ways.iter().map(moved).filter(|to| corner.helps(face, to.to)).collect()
     }
 
-    /// Middles of some of the original's faces around a face.
+    /// Nearby of some of the original's faces around a face.
     fn samples(&self, surface: &Surface, face: u32) -> Vec<DVec3> {
         let (low, high) = around(surface, face);
         let samples = self.witness.middles_within(low, high);

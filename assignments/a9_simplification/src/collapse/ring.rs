@@ -5,13 +5,13 @@ use crate::collapse::surface::{NONE, Surface, previous};
 use common::math::DVec3;
 
 /// Least cosine of the angle by which one step may turn a face.
-const LEAST_COSINE: f64 = 0.5;
+pub(super) const LEAST_COSINE: f64 = 0.5;
 /// Least quality 4√3·area/Σ side² of a face that a step makes, 1 for an equilateral triangle;
 /// faces that become better may be worse than that.
-const LEAST_QUALITY: f64 = 1e-3;
+pub(super) const LEAST_QUALITY: f64 = 1e-3;
 /// A surface is folded back on itself where a face looks elsewhere than all around do: the least cosine of a face that
 /// does not.
-const FOLDED: f64 = 0.15;
+pub(super) const FOLDED: f64 = 0.15;
 /// How much it counts if a tip is cut off, in terms of planes that are as far off: with more of it there is less left
 /// for all else.
 const TIP: f64 = 0.3;

@@ -7,6 +7,7 @@
 use crate::collapse::build::Built;
 use crate::collapse::cost::{Cost, Merge, Offer};
 use crate::collapse::queue::Line;
+use crate::collapse::rim::Rim;
 use crate::collapse::ring::Ring;
 use crate::collapse::surface::{NONE, Surface, next, previous};
 use crate::collapse::wedges::{Wedges, Where};
@@ -18,8 +19,13 @@ const FACE_AHEAD: usize = 24;
 /// … and what is known of its ends.
 const POINTS_AHEAD: usize = 12;
 
-/// What share of the faces is left when what was before is forgotten, again and again.
+/// What share of the faces is left when what was before is forgotten, again and again …
 const MEMORY: f64 = 0.7;
+/// … and when it is for the first time: of the original much is still there.
+const FIRST_MEMORY: f64 = 0.49;
+
+/// What share of the faces has to be gone before all edges that are left are worth another look.
+const WORTHWHILE: usize = 1024;
 
 /// When it is somebody's turn.
 type Turn<C> = <<C as Cost>::Line as Line>::Turn;
@@ -38,8 +44,11 @@ pub(super) struct Run<C: Cost> {
     cost: C,
     queue: C::Line,
     ring: Ring,
+    rim: Rim,
     /// So many faces are left when it is time to forget.
     forget_at: usize,
+    /// So many were left when all edges were priced last.
+    asked_at: usize,
 }
 
 impl<C: Cost> Run<C> {
@@ -54,7 +63,9 @@ impl<C: Cost> Run<C> {
             wedges,
             cost: cost(&surface),
             ring: Ring::default(),
-            forget_at: share(surface.alive, MEMORY),
+            rim: Rim::default(),
+            forget_at: share(surface.alive, FIRST_MEMORY),
+            asked_at: surface.alive,
             surface,
         };
         run.cost.price_all(&run.surface, |h, cost| run.queue.push(h, C::Line::turn(cost)));
@@ -65,7 +76,7 @@ impl<C: Cost> Run<C> {
     pub(super) fn until(&mut self, target: usize) -> bool {
         while self.surface.alive > target {
             let steps = self.steps_until(target);
-            let Some((h, turn)) = self.queue.pop(steps) else { return false };
+            let Some((h, turn)) = self.queue.pop(steps).or_else(|| self.again(steps)) else { return false };
             self.look_ahead();
             if self.surface.alive <= self.forget_at {
                 self.cost.forget(&self.surface);
@@ -83,6 +94,18 @@ impl<C: Cost> Run<C> {
             }
         }
         true
+    }
+
+    /// What was refused may have become possible by what has gone since.
+    #[cold]
+    fn again(&mut self, steps: usize) -> Option<(u32, Turn<C>)> {
+        let gone = self.asked_at - self.surface.alive;
+        if !C::IS_QUICK || gone <= self.surface.alive / WORTHWHILE {
+            return None;
+        }
+        self.asked_at = self.surface.alive;
+        self.cost.price_all(&self.surface, |h, cost| self.queue.push(h, C::Line::turn(cost)));
+        self.queue.pop(steps)
     }
 
     /// How many steps there are to so many faces, or to when it is time to forget.
@@ -126,6 +149,12 @@ impl<C: Cost> Run<C> {
             Where::Nowhere => return,
         };
         let mut ring = std::mem::take(&mut self.ring);
+        if C::IS_QUICK && self.copies.is_empty() && self.rim.surely_keeps(surface, h, place) {
+            self.step(h, place, from, &ring);
+            self.queue_around(ends[0], turn);
+            self.ring = ring;
+            return;
+        }
         ring.look(surface, h);
         let at = place.as_dvec3() * surface.scale;
         let place_of = (!self.copies.is_empty()).then_some(|point| self.original(point));
@@ -169,7 +198,10 @@ impl<C: Cost> Run<C> {
         let mut spoke = first;
         renew(first);
         loop {
-            renew(next(spoke));
+            // What is opposite has the price that it had; but if it has been refused, it may be possible now.
+            if !C::IS_QUICK {
+                renew(next(spoke));
+            }
             // On the way to the next face; the last edge of a closed fan is its first.
             let last = previous(spoke);
             spoke = surface.twin(last);
@@ -188,66 +220,5 @@ fn share(count: usize, share: f64) -> usize {
     (count as f64 * share) as usize
 }
 
-/// The last of the points that each point went into.
-pub(super) fn roots(parent: &[u32]) -> Vec<u32> {
-    let mut root = parent.to_vec();
-    for point in 0..root.len() {
-        let mut last = root[point];
-        while root[last as usize] != last {
-            last = root[last as usize];
-        }
-        // Whoever passes here later has a short way.
-        let mut at = point;
-        while root[at] != last {
-            at = std::mem::replace(&mut root[at], last) as usize;
-        }
-    }
-    root
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::collapse::accumulated::Accumulated;
-    use crate::collapse::against;
-    use crate::collapse::against::CELL;
-    use crate::collapse::build::build;
-    use crate::collapse::lattice::Grid;
-    use crate::collapse::melax::Curvature;
-    use crate::collapse::memoryless::Memoryless;
-
-    /// Bytes of a surface.
-    fn of_surface(surface: &Surface) -> usize {
-        surface.faces.capacity() * size_of_val(&surface.faces[0])
-            + surface.points.capacity() * size_of_val(&surface.points[0])
-    }
-
-    /// Bytes for each triangle that are held at once by the mesh's points, the original surface, a run, and
-    /// what looks for faces that are against the original.
-    fn bytes<C: Cost>(n: u32, cost: impl Fn(&Surface) -> C) -> f64 {
-        let height = |i: u32| ((i % 97) * (i % 89)) as f32 / 8633.0;
-        let places: Vec<Vec3> =
-            (0..n * n).map(|i| Vec3::new((i % n) as f32, height(i), (i / n) as f32)).collect();
-        let square = |i: u32| [[i, i + n, i + 1], [i + 1, i + n, i + n + 1]];
-        let triangles = (0..n * (n - 1)).filter(|i| i % n < n - 1).flat_map(square);
-        let built = build(&places, triangles);
-        let count = built.surface.faces.len();
-        let mut run = Run::new(built.clone(), None, cost);
-        let full = |run: &Run<C>| {
-            let points = run.parent.capacity() * 4 + run.cut.capacity() + run.copies.capacity() * 4;
-            of_surface(&run.surface) + points + run.queue.bytes() + run.cost.bytes()
-        };
-        let before = full(&run);
-        run.until(count / 10);
-        let looking = against::bytes(&Grid::new(&built.surface, CELL), run.surface.alive);
-        let original = of_surface(&built.surface) + built.cut.capacity() + size_of_val(&places[..]);
-        (before.max(full(&run)) + original + looking) as f64 / count as f64
-    }
-
-    #[test]
-    fn no_more_than_250_bytes_are_held_for_a_triangle() {
-        let all = [bytes(300, Memoryless::new), bytes(300, Accumulated::new), bytes(300, |_| Curvature)];
-        // A run that held less than its faces would not have been counted right.
-        assert!(all.iter().all(|&bytes| (64.0..250.0).contains(&bytes)), "{all:?}");
-    }
-}
+mod tests;

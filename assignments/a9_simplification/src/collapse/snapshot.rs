@@ -1,7 +1,7 @@
 //! What is left at some time of a run, without what is gone.
 
 use crate::collapse::cost::Cost;
-use crate::collapse::run::{Run, roots};
+use crate::collapse::run::Run;
 use crate::collapse::surface::{Face, NONE, Point, Surface};
 use crate::collapse::wedges::Wedges;
 use common::mesh::Mesh;
@@ -122,4 +122,21 @@ impl Face {
         face.copy_rest(self, half_edge);
         face
     }
+}
+
+/// The last of the points that each point went into.
+fn roots(parent: &[u32]) -> Vec<u32> {
+    let mut root = parent.to_vec();
+    for point in 0..root.len() {
+        let mut last = root[point];
+        while root[last as usize] != last {
+            last = root[last as usize];
+        }
+        // Whoever passes here later has a short way.
+        let mut at = point;
+        while root[at] != last {
+            at = std::mem::replace(&mut root[at], last) as usize;
+        }
+    }
+    root
 }

@@ -52,19 +52,31 @@ pub(super) fn previous(h: u32) -> u32 {
     (h & !3) | ((0b01_00_10 >> ((h & 3) * 2)) & 3)
 }
 
+/// A direction, in units of 1/511 of its largest component.
+#[inline(always)]
+pub(super) fn look(normal: DVec3) -> [i16; 3] {
+    let unit = normal / normal.abs().max_element();
+    // Rounds by cutting off: what rounds properly is a call of a function on older processors. A normal without length
+    // becomes all zeros, along which every direction looks.
+    unit.to_array().map(|c| (c * 511.0 + 0.5f64.copysign(c)) as i32 as i16)
+}
+
 impl Face {
     pub(super) fn new(corners: [u32; 3]) -> Self {
         let [a, b, c] = corners;
         Self { vertex: [a, b, c, 0], twin: [NONE; 4] }
     }
 
-    /// Remembers a direction: ten bits for each component, in units of the largest.
+    /// Remembers a direction: ten bits for each component.
     pub(super) fn remember(&mut self, normal: DVec3) {
-        let unit = normal / normal.abs().max_element();
-        // Rounds by cutting off: what rounds properly is a call of a function on older processors.
-        let bits = unit.to_array().map(|c| ((c * 511.0 + 0.5f64.copysign(c)) as i32 as u32) & 1023);
-        // A normal without length becomes all zeros, along which every direction looks.
-        self.twin[3] = bits[0] | bits[1] << 10 | bits[2] << 20;
+        let [x, y, z] = look(normal).map(|component| u32::from(component as u16) & 1023);
+        self.twin[3] = x | y << 10 | z << 20;
+    }
+
+    /// What was remembered, as it is kept.
+    #[inline(always)]
+    pub(super) fn remembered(&self) -> u32 {
+        self.twin[3]
     }
 
     /// What was remembered: the largest component is 511, others are up to half of 1 off.
