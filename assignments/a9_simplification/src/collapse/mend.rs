@@ -167,7 +167,7 @@ impl<'a> Mender<'a> {
         corner.ways.iter().map(moved).filter(|to| corner.helps(face, to.to)).collect()
     }
 
-    /// Nearby of some of the original's faces around a face.
+    /// Middles of some of the original's faces around a face.
     fn samples(&self, surface: &Surface, face: u32) -> Vec<DVec3> {
         let (low, high) = around(surface, face);
         let samples = self.witness.middles_within(low, high);

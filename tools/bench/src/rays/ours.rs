@@ -8,9 +8,11 @@ use a6_kdtree::kdtree::{KdTree, Options, Rule};
 use common::accel::{Accel, List};
 use common::cli::AppError;
 use common::counters::Counters;
+use common::geometry::Hit;
 use common::math::{Bounds, Interval};
 use common::ray::Ray;
 use common::shape::triangle_block::{LANES, TriangleBlock};
+use std::cell::RefCell;
 
 /// Triangle tests that the list may do for one timing: about a fifth of a second.
 const LIST_TESTS: usize = 200_000_000;
@@ -35,6 +37,11 @@ impl Contender for Alone<'_> {
     }
 }
 
+thread_local! {
+    /// Kept from one question to the next, as a renderer would.
+    static HITS: RefCell<Vec<Option<Hit>>> = const { RefCell::new(Vec::new()) };
+}
+
 /// Anything behind the house's seam. Its one mesh is numbered like its triangles.
 struct Ours<A> {
     accel: A,
@@ -53,11 +60,13 @@ impl<A: Accel> Contender for Ours<A> {
     }
 
     fn nearest_batch(&self, rays: &[Ray], reach: f32, answers: &mut [Answer]) {
-        let mut hits = vec![None; rays.len()];
-        self.accel.nearest_many(rays, Interval::up_to(reach), &mut hits, &mut Counters::default());
-        for (hit, answer) in hits.iter().zip(answers) {
-            *answer = hit.map_or(Answer::MISS, |hit| Answer { t: hit.t, primitive: hit.primitive });
-        }
+        HITS.with_borrow_mut(|hits| {
+            hits.resize(rays.len(), None);
+            self.accel.nearest_many(rays, Interval::up_to(reach), hits, &mut Counters::default());
+            for (hit, answer) in hits.iter().zip(answers) {
+                *answer = hit.map_or(Answer::MISS, |hit| Answer { t: hit.t, primitive: hit.primitive });
+            }
+        });
     }
 
     fn any_batch(&self, rays: &[Ray], reach: f32, answers: &mut [bool]) {
