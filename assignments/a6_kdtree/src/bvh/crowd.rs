@@ -4,9 +4,11 @@
 //! Here some rays are under way at a time: all that are at a node take a step, then all that are
 //! at a leaf. Meanwhile the memory is asked for what each of them needs next.
 
+use super::abreast::columns;
 use super::bundle::{Bundle, lanes_of};
-use super::frustum::starts_together;
+use super::frustum::{go_one_way, starts_together};
 use super::inlet::Inlet;
+use super::lines::{Line, Lines, SLOTS};
 use super::packet::{Packet, RAYS};
 use super::purpose::{At, Purpose};
 use super::single::Query;
@@ -15,65 +17,12 @@ use super::wide::Bvh;
 use common::accel::Job;
 use common::counters::Counters;
 use common::math::Interval;
+use common::math::lanes::load;
 use common::ray::Ray;
 use common::simd::Simd;
 
-/// Rays under way at a time, a power of two.
-const SLOTS: usize = 16;
-
 /// Nodes of a tree that the nearest cache holds beside all else.
 const FEW: usize = 8;
-
-/// Numbers of slots.
-#[derive(Clone, Copy)]
-struct Line {
-    slots: [u8; SLOTS],
-    len: usize,
-}
-
-impl Line {
-    const EMPTY: Self = Self { slots: [0; SLOTS], len: 0 };
-
-    /// Adds one, if `really`; no branch is made of it.
-    #[inline(always)]
-    fn push(&mut self, slot: u8, really: bool) {
-        self.slots[self.len % SLOTS] = slot;
-        self.len += usize::from(really);
-    }
-
-    #[inline(always)]
-    fn pop(&mut self) -> Option<u8> {
-        self.len = self.len.checked_sub(1)?;
-        Some(self.slots[self.len % SLOTS])
-    }
-
-    #[inline(always)]
-    fn slots(&self) -> &[u8] {
-        &self.slots[..self.len.min(SLOTS)]
-    }
-}
-
-/// The slots, by what their rays do next.
-#[derive(Clone, Copy)]
-struct Lines {
-    node: Line,
-    leaf: Line,
-    idle: Line,
-}
-
-impl Lines {
-    /// Puts a slot where it belongs.
-    #[inline(always)]
-    fn put(&mut self, number: u8, slot: &Slot, under_way: bool) {
-        if under_way {
-            let is_node = slot.next.is_node();
-            self.node.push(number, is_node);
-            self.leaf.push(number, !is_node);
-        } else {
-            self.idle.push(number, true);
-        }
-    }
-}
 
 /// Rays that have not started.
 struct Queue<'a> {
@@ -190,12 +139,25 @@ impl Bvh<'_> {
         }
     }
 
-    /// Lets the prepared rays join those that wait for a stream, if that is better.
+    /// Lets the next rays join those that wait for a stream, if all that are no bundle are better off so,
+    /// before more is worked out of them.
     #[inline(always)]
-    fn join<S: Simd>(&self, simd: S, queue: &mut Queue, rays: usize) {
-        let Queue { packet, first, asked, inlet: Some(inlet), .. } = queue else { return };
+    fn join_at_once<S: Simd>(&self, simd: S, queue: &mut Queue) {
+        let Queue { rays, first, seen, asked, inlet: Some(inlet), .. } = queue else { return };
+        let rays = &rays[*first..*seen];
+        let all = columns(simd, rays, rays[0]);
+        if inlet.pool.takes_all() && !go_one_way(simd, all[1]) {
+            *asked = inlet.pool.take(simd, all, *asked, &inlet.eight(*first, rays.len()));
+        }
+    }
+
+    /// The same for prepared rays that are no bundle.
+    #[inline(always)]
+    fn join<S: Simd>(&self, simd: S, queue: &mut Queue) {
+        let Queue { packet, first, seen, asked, inlet: Some(inlet), .. } = queue else { return };
         if inlet.pool.takes_all() || starts_together(simd, packet, &self.bounds) {
-            *asked = inlet.pool.take(simd, packet, *asked, &inlet.eight(*first, rays));
+            let all = [load(simd, &packet.origin), load(simd, &packet.direction)];
+            *asked = inlet.pool.take(simd, all, *asked, &inlet.eight(*first, *seen - *first));
         }
     }
 
@@ -214,11 +176,16 @@ impl Bvh<'_> {
         queue.first = queue.seen;
         queue.seen = queue.rays.len().min(queue.first + RAYS);
         let rays = &queue.rays[queue.first..queue.seen];
-        queue.packet = Packet::of(simd, rays, &self.bounds);
-        queue.asked = queue.packet.usable & ((1 << rays.len()) - 1);
+        queue.asked = (1 << rays.len()) - 1;
         for lane in 0..rays.len() {
             queue.asked &= !(u32::from(purpose.is_settled(queue.first + lane)) << lane);
         }
+        self.join_at_once(simd, queue);
+        if queue.asked == 0 {
+            return;
+        }
+        queue.packet = Packet::of(simd, rays, &self.bounds);
+        queue.asked &= queue.packet.usable;
         if queue.asked == 0 {
             return;
         }
@@ -229,7 +196,7 @@ impl Bvh<'_> {
             queue.asked = 0;
             return;
         }
-        self.join(simd, queue, rays.len());
+        self.join(simd, queue);
         if alone || self.is_alone_better(simd, &queue.packet) {
             for lane in lanes_of(queue.asked) {
                 let query = Query { packet: &queue.packet, lane, ray: &rays[lane], interval };

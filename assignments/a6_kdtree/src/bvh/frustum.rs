@@ -7,7 +7,7 @@
 use super::packet::{EVERY, Lanes, Packet};
 use super::wide::{WIDTH, WideNode};
 use common::math::Bounds;
-use common::math::lanes::turn;
+use common::math::lanes::{Vectors, turn};
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// Rays whose directions differ by more than this part of the direction are no bundle …
@@ -92,6 +92,15 @@ impl Frustum {
         near.store_slice(enter);
         near.simd_le(far).to_bitmask() as u32
     }
+}
+
+/// Whether rays may be a bundle by the signs of their directions.
+#[inline(always)]
+pub fn go_one_way<S: Simd>(simd: S, direction: Vectors<f32x8<S>>) -> bool {
+    let zero = f32x8::splat(simd, 0.0);
+    let [x, y, z] = [direction[0].simd_lt(zero), direction[1].simd_lt(zero), direction[2].simd_lt(zero)];
+    let [x, y, z] = [x.to_bitmask() as u32, y.to_bitmask() as u32, z.to_bitmask() as u32];
+    (x == 0 || x == EVERY) && (y == 0 || y == EVERY) && (z == 0 || z == EVERY)
 }
 
 /// Whether the rays of a packet start near each other.

@@ -5,7 +5,7 @@
 //! boxes at once (Dammertz, Hanika & Keller 2008; Wald, Benthin & Boulos 2008). Leaves are blocks
 //! of eight triangles, as the list has them.
 
-mod abreast;
+pub(crate) mod abreast;
 mod aside;
 mod asking;
 mod ball_hits;
@@ -20,6 +20,7 @@ pub(crate) mod flow;
 mod frustum;
 mod horizon;
 mod inlet;
+mod lines;
 pub(crate) mod lists;
 mod order;
 pub(crate) mod packet;

@@ -16,7 +16,7 @@ const CELLS: usize = OCTANTS << (3 * BITS);
 pub fn cells_of<S: Simd>(
     simd: S,
     origin: Vectors<f32x8<S>>,
-    inverse: Vectors<f32x8<S>>,
+    direction: Vectors<f32x8<S>>,
     bounds: &Bounds,
 ) -> i32x8<S> {
     let of = |x: f32| f32x8::splat(simd, x);
@@ -30,7 +30,7 @@ pub fn cells_of<S: Simd>(
         for i in 0..BITS {
             cell |= (place & bit(1 << i)) << (2 * i + axis as u32);
         }
-        let backward = inverse[axis].simd_lt(of(0.0));
+        let backward = direction[axis].simd_lt(of(0.0));
         cell |= backward.select(bit(1 << (3 * BITS + axis as u32)), bit(0));
     }
     cell

@@ -12,11 +12,11 @@
 
 use super::bundle::lanes_of;
 use super::order::{Order, cells_of};
-use super::packet::{Packet, RAYS};
+use super::packet::RAYS;
 use super::purpose::Known;
 use super::stream::{MANY, OCTANTS, Stream};
 use common::math::Bounds;
-use common::math::lanes::load;
+use common::math::lanes::Vectors;
 use common::ray::Ray;
 use common::simd::{Simd, SimdBase, SimdMask, dispatch, f32x8, level};
 
@@ -32,7 +32,8 @@ const FARTHEST: f32 = 2.0;
 /// 16u for everything within [`FARTHEST`] and 1.
 const ROOM: f32 = (1.0 + FARTHEST) / (1 << 20) as f32;
 
-/// Products of a length and an inverse beyond this, or below its inverse, could overflow or underflow.
+/// Where a length is more than this times a direction, or less than its inverse, products could overflow or
+/// underflow.
 const ORDINARY: f32 = (1u64 << 60) as f32;
 
 /// Rays that wait.
@@ -74,21 +75,26 @@ impl Pool {
         self.waiting.len() >= MOST
     }
 
-    /// Takes those of a packet's rays that are `asked` for, a bit for each, which have these numbers.
-    /// Returns those that it cannot take: they run along an axis, or start far away.
+    /// Takes those of eight rays that are `asked` for, a bit for each, which have these numbers. Returns
+    /// those that it cannot take: they run along an axis, start far away, or are no rays.
     #[inline(always)]
-    pub fn take<S: Simd>(&mut self, simd: S, packet: &Packet, asked: u32, numbers: &[u32; RAYS]) -> u32 {
+    pub fn take<S: Simd>(
+        &mut self,
+        simd: S,
+        [origin, direction]: [Vectors<f32x8<S>>; 2],
+        asked: u32,
+        numbers: &[u32; RAYS],
+    ) -> u32 {
         let of = |x: f32| f32x8::splat(simd, x);
-        let (origin, inverse) = (load(simd, &packet.origin), load(simd, &packet.inverse));
+        let (least, most) = (self.greatest.max(1.0) / ORDINARY, self.greatest * ORDINARY);
         let mut fit = asked;
         for axis in 0..3 {
-            let product = inverse[axis].abs() * of(self.greatest);
-            let ordinary = product.simd_lt(of(ORDINARY)) & product.simd_gt(of(1.0 / ORDINARY));
+            let step = direction[axis].abs();
             let is_near = origin[axis].abs().simd_le(of(self.greatest * FARTHEST));
-            fit &= (ordinary & is_near).to_bitmask() as u32;
+            fit &= (step.simd_gt(of(least)) & step.simd_lt(of(most)) & is_near).to_bitmask() as u32;
         }
         let mut cells = [0; RAYS];
-        cells_of(simd, origin, inverse, &self.bounds).store_slice(&mut cells);
+        cells_of(simd, origin, direction, &self.bounds).store_slice(&mut cells);
         for lane in lanes_of(fit) {
             self.waiting.push((numbers[lane], cells[lane] as u16));
         }
@@ -127,6 +133,7 @@ impl Pool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::abreast::columns;
     use super::*;
     use common::math::Vec3;
 
@@ -137,10 +144,7 @@ mod tests {
         let mut left = 0;
         for (rays, first) in rays.chunks(RAYS).zip((100..).step_by(RAYS)) {
             let numbers = std::array::from_fn(|i| first + i as u32);
-            left = dispatch!(level(), s => {
-                let packet = Packet::of(s, rays, &BOUNDS);
-                pool.take(s, &packet, asked, &numbers)
-            });
+            left = dispatch!(level(), s => pool.take(s, columns(s, rays, rays[0]), asked, &numbers));
         }
         left
     }

@@ -10,6 +10,7 @@ use super::current::Current;
 use super::query::{Prepared, Query};
 use super::stack::{Stack, Waiting};
 use super::tree::{KdTree, Node};
+use crate::bvh::abreast::columns;
 use crate::bvh::bundle::lanes_of;
 use crate::bvh::packet::{Packet, RAYS};
 use crate::bvh::pool::Pool;
@@ -101,7 +102,6 @@ impl KdTree<'_> {
         stack: &mut Stack,
         c: &mut Counters,
     ) {
-        let packet = self.packet(simd, rays);
         let mut asked = 0;
         for (lane, (ray, answer)) in rays.iter().zip(&mut *answers).enumerate() {
             *answer = T::NONE;
@@ -111,10 +111,14 @@ impl KdTree<'_> {
                 asked |= u32::from(is_open) << lane;
             }
         }
-        if let (Some(pool), Some(packet)) = (pool, &packet) {
+        if let Some(pool) = pool {
             let numbers = [0, 1, 2, 3, 4, 5, 6, 7].map(|lane| first as u32 + lane);
-            asked = pool.take(simd, packet, asked, &numbers);
+            asked = pool.take(simd, columns(simd, rays, rays[0]), asked, &numbers);
         }
+        if asked == 0 {
+            return;
+        }
+        let packet = self.packet(simd, rays);
         for lane in lanes_of(asked) {
             let ready = (&rays[lane], self.prepare(simd, packet.as_ref(), lane, &rays[lane]));
             self.follow(simd, ready, interval, None, stack, &mut answers[lane], c);
