@@ -35,15 +35,16 @@ fn a6t2_what_is_not_met_by_eight_rays_is_possible_for_none() {
         let bounds = Bounds::of_points(triangles.iter().flatten().copied());
         let rays: [Ray; LANES] = std::array::from_fn(|_| Ray::new(vector(&mut random), vector(&mut random)));
         let filters = rays.each_ref().map(|ray| Filter::new(ray, &bounds));
+        let side = |ray: &Ray| (bounds.min - ray.origin).abs().max((bounds.max - ray.origin).abs());
+        let far = rays.each_ref().map(|ray| side(ray).max_element());
+        let step = rays.each_ref().map(|ray| ray.direction.abs().max_element());
         for min in [0.0, -0.5, f32::NEG_INFINITY] {
             let interval = Interval { min, max: f32::INFINITY };
             for level in ["baseline", "sse4", "avx2", "avx512"].into_iter().filter_map(by_name) {
                 let (bits, verdicts) = dispatch!(level, s => {
                     let [o, d] = Ray::columns(s, rays.each_ref());
-                    let far_and_step = Errors::far_and_step(s,
-                        f32x8::from_slice(s, &filters.each_ref().map(|f| f.errors.along)),
-                        f32x8::from_slice(s, &filters.each_ref().map(|f| f.errors.depth)));
-                    let eight = Rays::new(s, o, d, far_and_step, min);
+                    let [far, step] = [&far, &step].map(|v| f32x8::from_slice(s, v));
+                    let eight = Rays::new(s, o, d, [far, step], min);
                     let bits = Unfolded::of(s, &block).rays_meeting(s, &eight, triangles.len());
                     (bits, filters.each_ref().map(|filter| block.judge(s, filter, interval)))
                 });
