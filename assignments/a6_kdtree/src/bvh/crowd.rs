@@ -91,7 +91,7 @@ impl Bvh<'_> {
                 next.put(number, slot, under_way);
             }
             for &number in next.node.slots() {
-                self.prefetch_node(slots[number as usize % SLOTS].next.index());
+                self.nodes[slots[number as usize % SLOTS].next.index()].prefetch();
             }
             for &number in next.leaf.slots() {
                 self.prefetch(slots[number as usize % SLOTS].next);
@@ -144,9 +144,12 @@ impl Bvh<'_> {
     #[inline(always)]
     fn join_at_once<S: Simd>(&self, simd: S, queue: &mut Queue) {
         let Queue { rays, first, seen, asked, inlet: Some(inlet), .. } = queue else { return };
+        if !inlet.pool.takes_all() {
+            return;
+        }
         let rays = &rays[*first..*seen];
         let all = columns(simd, rays, rays[0]);
-        if inlet.pool.takes_all() && !go_one_way(simd, all[1]) {
+        if !go_one_way(simd, all[1]) {
             *asked = inlet.pool.take(simd, all, *asked, &inlet.eight(*first, rays.len()));
         }
     }

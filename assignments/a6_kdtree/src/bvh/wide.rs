@@ -132,20 +132,10 @@ impl Bvh<'_> {
     #[inline(always)]
     pub(super) fn prefetch(&self, child: Child) {
         match child.held() {
-            Held::Node(index) => self.prefetch_node(index),
+            Held::Node(index) => self.nodes[index].prefetch(),
             Held::Block(index, _) => self.blocks[index].prefetch(),
             Held::Solids(..) => {}
         }
-    }
-
-    /// Asks the memory for a node, without waiting.
-    #[inline(always)]
-    pub(super) fn prefetch_node(&self, index: usize) {
-        let node = &self.nodes[index];
-        for sides in &node.side {
-            prefetch(&sides[0]);
-        }
-        prefetch(&node.child);
     }
 
     /// Bytes that it takes.
@@ -167,6 +157,15 @@ pub const EMPTY_NODE: WideNode = WideNode {
 };
 
 impl WideNode {
+    /// Asks the memory for it, without waiting.
+    #[inline(always)]
+    pub fn prefetch(&self) {
+        for sides in &self.side {
+            prefetch(&sides[0]);
+        }
+        prefetch(&self.child);
+    }
+
     /// How many of the places are in use; these come first.
     #[inline(always)]
     pub fn children(&self) -> usize {

@@ -22,14 +22,14 @@ pub trait Answer: Known {
     /// What it is beside the tree.
     fn beside(geometry: &Geometry, ray: &Ray, interval: Interval, c: &mut Counters) -> Self;
 
-    /// Looks into a leaf. Hits later than `last` do not matter; returns until where they do from now
-    /// on, −∞ if none does.
-    fn leaf<S: Simd>(
+    /// Looks at solids. Hits later than `last` do not matter; returns until where they do from now on,
+    /// −∞ if none does.
+    fn solids(
         &mut self,
-        asker: &Asker<S>,
-        tree: &KdTree,
-        held: Held,
-        last: f32,
+        geometry: &Geometry,
+        solids: &[u32],
+        exact: &ExactRay,
+        last: (f32, Interval),
         c: &mut Counters,
     ) -> f32;
 }
@@ -41,15 +41,16 @@ impl Answer for Option<Hit> {
     }
 
     #[inline(always)]
-    fn leaf<S: Simd>(
+    fn solids(
         &mut self,
-        asker: &Asker<S>,
-        tree: &KdTree,
-        held: Held,
-        last: f32,
+        geometry: &Geometry,
+        solids: &[u32],
+        exact: &ExactRay,
+        (last, interval): (f32, Interval),
         c: &mut Counters,
     ) -> f32 {
-        asker.nearest(tree, held, last, self, c)
+        *self = geometry.nearest_solid(solids.iter().copied(), exact, interval, *self, c);
+        self.map_or(last, |b| b.t.min(last))
     }
 }
 
@@ -60,15 +61,15 @@ impl Answer for bool {
     }
 
     #[inline(always)]
-    fn leaf<S: Simd>(
+    fn solids(
         &mut self,
-        asker: &Asker<S>,
-        tree: &KdTree,
-        held: Held,
-        last: f32,
+        geometry: &Geometry,
+        solids: &[u32],
+        exact: &ExactRay,
+        (last, interval): (f32, Interval),
         c: &mut Counters,
     ) -> f32 {
-        *self = asker.any(tree, held, c);
+        *self = geometry.any_solid(solids.iter().copied(), exact, interval, c);
         if *self { f32::NEG_INFINITY } else { last }
     }
 }
@@ -97,50 +98,38 @@ impl<'q, S: Simd> Asker<'q, S> {
         Self { simd, job, exact: &query.exact, beam: beam.spread(simd, interval.min), margin: *margin }
     }
 
-    /// Puts the better of `best` and the first hit in a leaf into `best`. Hits later than `last`
-    /// do not matter; returns a new such bound.
+    /// Looks into a leaf. Hits later than `last` do not matter; returns until where they do from now on,
+    /// −∞ if none does.
     #[inline(always)]
-    fn nearest(
+    pub fn leaf(
         &self,
         tree: &KdTree,
         held: Held,
         mut last: f32,
-        best: &mut Option<Hit>,
+        answer: &mut impl Answer,
         c: &mut Counters,
     ) -> f32 {
         for block in held.blocks {
-            last = self.job.nearest_of(self.simd, block, block.len(), last, best, c);
+            last = answer.look(self.simd, (block, block.len()), last, &self.job, c);
+            if last == f32::NEG_INFINITY {
+                return last;
+            }
         }
         for node in held.boxes {
             let mut met = self.meet(node, last, c);
             while let Some((block, len)) = self.next_block(node, &mut met) {
-                last = self.job.nearest_of(self.simd, &tree.blocks[block], len, last, best, c);
+                last = answer.look(self.simd, (&tree.blocks[block], len), last, &self.job, c);
+                if last == f32::NEG_INFINITY {
+                    return last;
+                }
                 let until = f32x8::splat(self.simd, limit(last, self.margin));
                 met.lanes &= met.enter.simd_le(until).to_bitmask() as u32;
             }
         }
-        if !held.solids.is_empty() {
-            let solids = held.solids.iter().copied();
-            *best = tree.geometry.nearest_solid(solids, self.exact, self.job.interval, *best, c);
-            last = best.map_or(last, |b| b.t.min(last));
+        match held.solids {
+            [] => last,
+            solids => answer.solids(tree.geometry, solids, self.exact, (last, self.job.interval), c),
         }
-        last
-    }
-
-    /// Whether anything in a leaf is hit.
-    #[inline(always)]
-    fn any(&self, tree: &KdTree, held: Held, c: &mut Counters) -> bool {
-        for node in held.boxes {
-            let mut met = self.meet(node, self.job.interval.max, c);
-            while let Some((block, len)) = self.next_block(node, &mut met) {
-                if self.job.any_of(self.simd, &tree.blocks[block], len, c) {
-                    return true;
-                }
-            }
-        }
-        let solids = held.solids.iter().copied();
-        self.job.any(self.simd, held.blocks, c)
-            || tree.geometry.any_solid(solids, self.exact, self.job.interval, c)
     }
 
     #[inline(always)]

@@ -9,10 +9,24 @@ use crate::bvh::stream::{MANY, Stream};
 use common::math::Bounds;
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8, u32x8};
 
-/// What planes want to know of the rays of a stream, and who waits where.
+/// What planes want to know of the rays of a stream, by axis and ray: inverse of the direction; origin
+/// times inverse; until where planes matter.
+pub struct Rows(pub [Vec<[f32; 4]>; 3]);
+
+impl Rows {
+    /// Planes that a ray meets after `limit` do not matter from now on.
+    #[inline(always)]
+    pub fn end_at(&mut self, ray: usize, limit: f32) {
+        for rows in &mut self.0 {
+            rows[ray][2] = limit;
+        }
+    }
+}
+
+/// The rays of a stream under way, and who waits where.
 pub struct Current {
-    /// By axis and ray: inverse of the direction; origin times inverse; until where planes matter.
-    pub rows: [Vec<[f32; 4]>; 3],
+    /// What planes want to know of rays.
+    pub rows: Rows,
     /// Who waits at nodes.
     pub lists: Lists,
     /// Who waits at the blocks of one leaf.
@@ -24,7 +38,7 @@ pub struct Current {
 impl Current {
     /// Nobody.
     pub fn new() -> Self {
-        let rows = [const { Vec::new() }; 3];
+        let rows = Rows([const { Vec::new() }; 3]);
         Self { rows, lists: Lists::new(), blocks: Blocks::new(), stack: Stack::new() }
     }
 
@@ -32,7 +46,7 @@ impl Current {
     #[inline(always)]
     pub fn enter<S: Simd>(&mut self, simd: S, stream: &Stream, bounds: &Bounds, min: f32) {
         let of = |x: f32| f32x8::splat(simd, x);
-        let Self { rows: all, lists, .. } = self;
+        let Self { rows: Rows(all), lists, .. } = self;
         for row in all.iter_mut() {
             // Numbers behind the end of a list may be of any stream.
             row.resize(MANY, [0.0; 4]);

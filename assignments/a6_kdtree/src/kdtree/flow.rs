@@ -82,7 +82,8 @@ impl KdTree<'_> {
         current: &mut Current,
         c: &mut Counters,
     ) {
-        let (list, held) = (current.lists.of(task), self.held(leaf));
+        let held = self.held(leaf);
+        let list = current.lists.of(task);
         for block in held.blocks {
             let len = block.len();
             let reached = &mut Block { block, len, answers };
@@ -106,10 +107,7 @@ impl KdTree<'_> {
             }
         }
         for &ray in list {
-            let limit = stream.records[ray as usize].limit();
-            for rows in &mut current.rows {
-                rows[ray as usize][2] = limit;
-            }
+            current.rows.end_at(ray as usize, stream.records[ray as usize].limit());
         }
     }
 
@@ -147,9 +145,7 @@ impl KdTree<'_> {
             c,
         );
         record.end_at(last, margin);
-        for rows in &mut current.rows {
-            rows[ray][2] = record.limit();
-        }
+        current.rows.end_at(ray, record.limit());
     }
 }
 
@@ -160,7 +156,7 @@ fn pass<S: Simd>(simd: S, (node, task): (Node, &Task), stream: &Stream, current:
     let backward = stream.octant >> axis & 1;
     let room = if backward == 0 { stream.room } else { -stream.room };
     let (before_at, after_at) = (f32x8::splat(simd, at - room), f32x8::splat(simd, at + room));
-    let rows = &current.rows[axis];
+    let rows = &current.rows.0[axis];
     let row = |ray: u32| &rows[ray as usize];
     let [list, near, far] = current.lists.split(task);
     let (mut near_end, mut far_end) = (0, 0);

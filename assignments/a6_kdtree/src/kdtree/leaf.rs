@@ -133,10 +133,7 @@ impl KdTree<'_> {
         }
         let Held { boxes, blocks, .. } = self.held(node);
         if let Some(first) = boxes.first() {
-            for sides in &first.side {
-                prefetch(&sides[0]);
-            }
-            prefetch(&first.child);
+            first.prefetch();
         } else if let Some(first) = blocks.first() {
             first.prefetch();
         }

@@ -84,7 +84,7 @@ impl KdTree<'_> {
         while last > f32::NEG_INFINITY
             && let Some(leaf) = self.next_leaf(&query, stack, f64::from(last) + query.margin, c)
         {
-            last = answer.leaf(&asker, self, self.held(leaf), last, c);
+            last = asker.leaf(self, self.held(leaf), last, answer, c);
         }
         last
     }

@@ -71,7 +71,7 @@ impl Witness<'_> {
         vicinity.agrees(corners)
     }
 
-    /// Nearby of the original's faces that are in a box, in the order of their numbers.
+    /// Middles of the original's faces that are in a box, in the order of their numbers.
     pub(super) fn middles_within(&self, low: DVec3, high: DVec3) -> Vec<DVec3> {
         let (at, reach) = ((low + high) / 2.0, low.distance(high) / 2.0);
         let faces = self.faces_near(at, reach).into_iter();
