@@ -130,28 +130,17 @@ impl<'a> Cells<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collapse::build::build;
+    use crate::collapse::scattered::{random, scattered};
     use common::math::Vec3;
 
     #[test]
     fn finds_what_looking_at_every_face_finds() {
-        // Triangles of all sizes, scattered by a multiplicative generator.
-        let mut state = 1u32;
-        let mut random = || {
-            state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (state >> 8) as f32 / (1 << 24) as f32
-        };
-        let mut point = |size: f32| Vec3::new(random(), random(), random()) * size;
-        let places: Vec<Vec3> = (0..300)
-            .flat_map(|i| {
-                let (at, size) = (point(1.0), 0.5f32.powi(i % 8));
-                [at, at + point(size), at + point(size)]
-            })
-            .collect();
-        let surface = build(&places, (0..300).map(|i| [3 * i, 3 * i + 1, 3 * i + 2])).surface;
+        let mut random = random();
+        let surface = scattered(300, &mut random);
         let cells = Cells::new(&surface);
         for _ in 0..300 {
-            let p = (point(4.0).as_dvec3() - DVec3::ONE) * surface.scale;
+            let at = Vec3::new(random(), random(), random()) * 4.0;
+            let p = (at.as_dvec3() - DVec3::ONE) * surface.scale;
             let each = surface.faces.iter().map(|face| {
                 let [a, b, c] = face.corners().map(|i| surface.at(i));
                 let [u, v, w] = nearest(p, a, b, c);

@@ -32,6 +32,8 @@ mod rim;
 mod ring;
 mod rows;
 mod run;
+#[cfg(test)]
+mod scattered;
 mod snapshot;
 mod surely;
 mod surface;

@@ -167,29 +167,14 @@ fn mean_side(surface: &Surface) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collapse::build::build;
     use crate::collapse::locate::square;
+    use crate::collapse::scattered::{random, scattered};
     use common::simd::{self, dispatch};
-
-    /// Triangles of all sizes, scattered by a multiplicative generator.
-    fn scattered(random: &mut impl FnMut() -> f32) -> Vec<Vec3> {
-        let mut point = |size: f32| Vec3::new(random(), random(), random()) * size;
-        let triangle = |i: i32| {
-            let (at, size) = (point(1.0), 0.5f32.powi(i % 8));
-            [at, at + point(size), at + point(size)]
-        };
-        (0..400).flat_map(triangle).collect()
-    }
 
     #[test]
     fn everything_within_reach_that_may_look_elsewhere_is_told() {
-        let mut state = 1u32;
-        let mut random = || {
-            state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (state >> 8) as f32 / (1 << 24) as f32
-        };
-        let places = scattered(&mut random);
-        let surface = build(&places, (0..400).map(|i| [3 * i, 3 * i + 1, 3 * i + 2])).surface;
+        let mut random = random();
+        let surface = scattered(400, &mut random);
         let mut told_of = [0, 0];
         for reach in [0.0, 0.01, 0.1, 2.0] {
             let nearby = Nearby::new(&surface, reach);
