@@ -21,7 +21,7 @@ use common::ray::Ray;
 use common::simd::{Simd, SimdBase, SimdMask, dispatch, f32x8, level};
 
 /// Most rays that wait: more would not make streams much more alike, and take more memory.
-const MOST: usize = 1 << 17;
+const MOST: usize = 1 << 18;
 
 /// Rays from one place make lists long enough if there is one of them for so many nodes.
 const NODES_PER_RAY: usize = 16;

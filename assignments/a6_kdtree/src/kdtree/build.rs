@@ -152,16 +152,14 @@ impl<'g> Builder<'g> {
                 };
                 cheapest.filter(|split| split.cost < f64::from(sah::price(total)))
             }
-            Rule::Median => cell.across_longest(references, |axis| {
+            Rule::Median => cell.across(cell.longest_first(), references, |axis| {
                 let (low, high) = (cell.bounds.min[axis], cell.bounds.max[axis]);
                 low / 2.0 + high / 2.0
             }),
-            Rule::Objects => cell.across_longest(references, |axis| {
-                let center = |r: &Reference| r.bounds.min[axis] / 2.0 + r.bounds.max[axis] / 2.0;
-                let mut centers: Vec<f32> = references.iter().map(center).collect();
-                let middle = centers.len() / 2;
-                *centers.select_nth_unstable_by(middle, f32::total_cmp).1
-            }),
+            Rule::Objects => {
+                cell.across(cell.longest_first(), references, |axis| median_center(references, axis))
+            }
+            Rule::Textbook => cell.across(cell.in_turn(), references, |axis| median_center(references, axis)),
         }
     }
 
@@ -170,7 +168,11 @@ impl<'g> Builder<'g> {
         let whole = pile.judge(&cell.base, split);
         for clipped in 0..pile.clipped.len() {
             let reference = pile.references[pile.clipped[clipped] as usize];
-            for (side, bounds) in reference.parts(self.geometry, split).into_iter().enumerate() {
+            let parts = match self.rule.clips() {
+                true => reference.parts(self.geometry, split),
+                false => [Some(reference.bounds); 2],
+            };
+            for (side, bounds) in parts.into_iter().enumerate() {
                 let Some(bounds) = bounds else { continue };
                 let Fresh { references, events } = &mut pile.fresh[side];
                 if cell.is_sorted {
@@ -198,17 +200,40 @@ impl<'g> Builder<'g> {
 }
 
 impl Cell {
-    /// The plane that `place` gives for the longest side along which it tells something apart.
-    fn across_longest(&self, references: &[Reference], place: impl Fn(usize) -> f32) -> Option<Split> {
+    /// The axes from the longest side to the shortest.
+    fn longest_first(&self) -> [usize; 3] {
         let size = self.bounds.max.as_dvec3() - self.bounds.min.as_dvec3();
         let mut axes = [0, 1, 2];
         axes.sort_by(|&a, &b| size[b].total_cmp(&size[a]));
+        axes
+    }
+
+    /// The axes, another one first on every level.
+    fn in_turn(&self) -> [usize; 3] {
+        [0, 1, 2].map(|i| (self.depth as usize + i) % 3)
+    }
+
+    /// The plane that `place` gives for the first axis along which it tells something apart.
+    fn across(
+        &self,
+        axes: [usize; 3],
+        references: &[Reference],
+        place: impl Fn(usize) -> f32,
+    ) -> Option<Split> {
         let split = |axis| Split { axis, at: place(axis), planar_left: true, cost: 0.0 };
         axes.into_iter().map(split).find(|split| {
             let inside = self.bounds.min[split.axis] < split.at && split.at < self.bounds.max[split.axis];
             inside && references.iter().any(|r| r.side(split) < 2)
         })
     }
+}
+
+/// The median of the centers of all boxes along an axis; there is at least one.
+fn median_center(references: &[Reference], axis: usize) -> f32 {
+    let center = |r: &Reference| r.bounds.min[axis] / 2.0 + r.bounds.max[axis] / 2.0;
+    let mut centers: Vec<f32> = references.iter().map(center).collect();
+    let middle = centers.len() / 2;
+    *centers.select_nth_unstable_by(middle, f32::total_cmp).1
 }
 
 /// Builds the tree over everything finite; `None` if there is nothing.

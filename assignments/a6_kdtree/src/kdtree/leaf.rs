@@ -49,9 +49,10 @@ impl KdTree<'_> {
         self.summary.leaves += 1;
         self.summary.empty += usize::from(primitives.is_empty());
         self.summary.references += primitives.len();
-        self.summary.cost += share * leaf_cost(triangles.len(), solids.len());
+        let is_boxed = triangles.len() > UNBOXED * LANES && self.options.rule.clips();
+        self.summary.cost += share * leaf_cost(triangles.len(), solids.len(), is_boxed);
         let (boxes, blocks) = (self.boxes.len() as u32, self.blocks.len() as u32);
-        if triangles.len() > UNBOXED * LANES {
+        if is_boxed {
             self.boxed(triangles, inside);
         } else {
             triangles.chunks(LANES).for_each(|run| self.block(run.iter().copied()));

@@ -52,9 +52,9 @@ pub fn price(weight: u32) -> f32 {
 }
 
 /// What asking everything in a leaf costs: half-empty blocks cost as much as full ones.
-pub fn leaf_cost(triangles: usize, solids: usize) -> f64 {
+pub fn leaf_cost(triangles: usize, solids: usize, is_boxed: bool) -> f64 {
     let blocks = triangles.div_ceil(LANES);
-    let asked = if blocks <= UNBOXED { blocks as f64 } else { 1.0 + (blocks - 1) as f64 * f64::from(MET) };
+    let asked = if is_boxed { 1.0 + (blocks - 1) as f64 * f64::from(MET) } else { blocks as f64 };
     asked + solids as f64
 }
 
@@ -202,7 +202,7 @@ mod tests {
         let split = cheapest_split(events.each_ref().map(Vec::as_slice), &bounds, 32).unwrap();
         assert_eq!((split.axis, split.at), (0, 1.0));
         // Hardly a ray meets the near half.
-        assert!(split.cost < f64::from(STEP) + 1.02 * leaf_cost(16, 0));
+        assert!(split.cost < f64::from(STEP) + 1.02 * leaf_cost(16, 0, false));
     }
 
     #[test]

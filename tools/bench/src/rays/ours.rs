@@ -97,6 +97,7 @@ pub fn all() -> Vec<Structure> {
     vec![
         Structure { name: "list", build: |world| Ok(list(world)) },
         Structure { name: "grid", build: grid },
+        Structure { name: "kd-textbook", build: |world| Ok(kd(world, Rule::Textbook)) },
         Structure { name: "kd-median", build: |world| Ok(kd(world, Rule::Median)) },
         Structure { name: "kd-objects", build: |world| Ok(kd(world, Rule::Objects)) },
         Structure { name: "kd-sah", build: |world| Ok(kd(world, Rule::Sah)) },

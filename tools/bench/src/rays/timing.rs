@@ -12,7 +12,7 @@ use std::hint::black_box;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 /// Rays that one thread takes at a time, and asks together: streams of rays want many.
-const SHARE: usize = 1 << 16;
+const SHARE: usize = 1 << 18;
 /// Builds that are shorter than this many milliseconds are repeated within a round.
 const LONG_ENOUGH: f64 = 50.0;
 /// Most builds within a round.

@@ -10,7 +10,7 @@ use common::ray::Ray;
 use rayon::prelude::*;
 
 /// Rays that are answered together: enough for streams of rays from everywhere.
-const BATCH: usize = 1 << 16;
+const BATCH: usize = 1 << 18;
 /// Roundings to single precision that a t of another triangle may be off by, at right angles.
 const ROUNDINGS: f64 = 64.0;
 /// Cosine of the flattest angle that still excuses more rounding than steeper ones: at most
