@@ -11,8 +11,8 @@ use common::ray::Ray;
 use std::hint::black_box;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
-/// Rays that one thread takes at a time, and asks together: streams of rays want many.
-const SHARE: usize = 1 << 18;
+/// Most rays that one thread takes at a time, and asks together: streams of rays want many.
+const MOST_TOGETHER: usize = 1 << 18;
 /// Builds that are shorter than this many milliseconds are repeated within a round.
 const LONG_ENOUGH: f64 = 50.0;
 /// Most builds within a round.
@@ -124,17 +124,20 @@ pub fn sample(rays: &[Ray], count: usize) -> Vec<Ray> {
     (0..runs).flat_map(|i| rays[i * (rays.len() - run) / runs..][..run].iter().copied()).collect()
 }
 
-/// Processor seconds per thread.
+/// Processor seconds per thread. This thread is one of them: what a contender keeps for it from
+/// question to question need not be fetched from the system while the clock runs.
 fn ask_once(contender: &dyn Contender, rays: &[Ray], reach: f32, question: Question) -> f64 {
+    let threads = question.threads.max(1);
+    let together = rays.len().div_ceil(threads).clamp(1, MOST_TOGETHER);
     let (next, total) = (AtomicUsize::new(0), AtomicU64::new(0));
     let work = || {
-        let mut nearest = [Answer::MISS; SHARE];
-        let mut any = [false; SHARE];
+        let mut nearest = vec![Answer::MISS; together];
+        let mut any = vec![false; together];
         let before = clock::thread_time();
         loop {
-            let from = next.fetch_add(SHARE, Ordering::Relaxed);
+            let from = next.fetch_add(together, Ordering::Relaxed);
             let Some(rest) = rays.get(from..).filter(|rest| !rest.is_empty()) else { break };
-            let share = &rest[..rest.len().min(SHARE)];
+            let share = &rest[..rest.len().min(together)];
             if question.any {
                 contender.any_batch(share, reach, &mut any[..share.len()]);
             } else {
@@ -145,11 +148,12 @@ fn ask_once(contender: &dyn Contender, rays: &[Ray], reach: f32, question: Quest
         total.fetch_add(clock::thread_time() - before, Ordering::Relaxed);
     };
     std::thread::scope(|scope| {
-        for _ in 0..question.threads.max(1) {
+        for _ in 1..threads {
             scope.spawn(work);
         }
+        work();
     });
-    total.into_inner() as f64 / 1e9 / question.threads.max(1) as f64
+    total.into_inner() as f64 / 1e9 / threads as f64
 }
 
 #[cfg(test)]
