@@ -11,6 +11,11 @@ pub use fearless_simd::{
 };
 use std::sync::OnceLock;
 
+/// Vectors of single precision, of whatever width.
+pub trait Floats<S: Simd>: SimdFloat<S, Element = f32> {}
+
+impl<S: Simd, V: SimdFloat<S, Element = f32>> Floats<S> for V {}
+
 /// Asks the memory for the cache line in which an array begins, without waiting for it.
 #[inline(always)]
 pub fn prefetch<T>(array: &[T]) {

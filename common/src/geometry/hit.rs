@@ -28,7 +28,7 @@ impl Hit {
 
 /// Tests one triangle; `primitive` is put into the hit as it is.
 pub fn hit_triangle(vertices: &[Vec3; 3], primitive: u32, ray: &ExactRay, interval: Interval) -> Option<Hit> {
-    inside(triangle::intersect(ray, vertices)?, primitive, interval)
+    hit_within(triangle::intersect(ray, vertices)?, primitive, interval)
 }
 
 /// The same with given instructions.
@@ -40,10 +40,11 @@ pub fn hit_triangle_with<S: Simd>(
     ray: &ExactRay,
     interval: Interval,
 ) -> Option<Hit> {
-    inside(triangle::intersect_with(simd, ray, vertices)?, primitive, interval)
+    hit_within(triangle::intersect_with(simd, ray, vertices)?, primitive, interval)
 }
 
+/// A hit of the triangle that is called `primitive`, if it counts.
 #[inline(always)]
-fn inside(hit: TriangleHit, primitive: u32, interval: Interval) -> Option<Hit> {
+pub fn hit_within(hit: TriangleHit, primitive: u32, interval: Interval) -> Option<Hit> {
     interval.contains(hit.t).then_some(Hit { t: hit.t, primitive, u: hit.u, v: hit.v })
 }

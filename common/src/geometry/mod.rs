@@ -22,7 +22,7 @@ mod uv;
 pub use abreast::{Abreast, Round};
 pub use body::Body;
 pub use build::GeometryError;
-pub use hit::{Hit, hit_triangle, hit_triangle_with};
+pub use hit::{Hit, hit_triangle, hit_triangle_with, hit_within};
 pub use placed::PlacedMesh;
 pub use smooth::facing;
 pub use surface::{Departure, Surface};

@@ -18,7 +18,7 @@
 
 use crate::math::{Bounds, Interval, Vec3A};
 use crate::ray::Ray;
-use crate::simd::{Select, Simd, SimdBase, f32x8};
+use crate::simd::{Floats, Select, Simd};
 
 const UNIT: f32 = 1.0 / (1 << 24) as f32;
 
@@ -89,10 +89,10 @@ impl Errors {
         }
     }
 
-    /// Of eight rays, in the order of the fields.
+    /// Of rays side by side, in the order of the fields.
     #[inline(always)]
-    pub fn abreast<S: Simd>(simd: S, far: f32x8<S>, step: f32x8<S>) -> [f32x8<S>; 5] {
-        let of = |x: f32| f32x8::splat(simd, x);
+    pub fn abreast<S: Simd, V: Floats<S>>(simd: S, far: V, step: V) -> [V; 5] {
+        let of = |x: f32| V::splat(simd, x);
         let far = far * of(1.0 + 4.0 * UNIT);
         let larger = far.simd_gt(step).select(far, step);
         let largest = larger.simd_gt(of(1.0)).select(larger, of(1.0));

@@ -11,6 +11,8 @@
 //! Source of the idea: Woop, Benthin & Wald, "Watertight Ray/Triangle Intersection", JCGT 2013;
 //! here without the shear, so that the decision is that of exact arithmetic on the input.
 
+pub mod abreast;
+
 use super::ExactRay;
 use crate::math::{DVec3, UNIT_ROUNDOFF, Vec3, exact, sum3};
 use crate::simd::{Level, Simd, SimdBase, SimdMask, dispatch, f64x4, mask64x4};

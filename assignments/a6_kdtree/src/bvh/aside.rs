@@ -5,14 +5,16 @@
 //! while O₋ + t·D₋ ≤ B₊ and O₊ + t·D₊ ≥ B₋, so from one t to another; if no t is left after all
 //! axes, no ray of them meets the box. Signs of directions do not matter.
 
-use super::abreast::columns;
-use super::packet::{Lanes, limits};
+use super::abreast::{RAYS, columns};
+use super::packet::Lanes;
+use super::single::limits;
 use super::slabs::{ORDINARY, Slabs};
 use super::wide::{Bvh, WIDTH, WideNode};
+use common::math::lanes::{Vectors, each, turn};
 use common::math::{Bounds, Interval};
 use common::ray::Ray;
 use common::shape::filter::Errors;
-use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x4, f32x8};
 
 /// Rays that are asked about together. Fewer are in one place more often, and cost more questions.
 pub const CROWD: usize = 64;
@@ -28,8 +30,8 @@ const ROOM: f64 = 1.0 / (1 << 18) as f64;
 /// The least box around the origins of some rays, and the one around their directions, whose axes
 /// come after those of the first.
 struct Around {
-    low: [f32; 8],
-    high: [f32; 8],
+    low: [f32; 6],
+    high: [f32; 6],
 }
 
 /// Where the axes of directions begin.
@@ -39,17 +41,18 @@ impl Around {
     /// Written so that NaN is passed over: a ray with one hits nothing.
     #[inline(always)]
     fn of<S: Simd>(simd: S, rays: &[Ray]) -> Self {
-        let mut low = f32x8::splat(simd, f32::INFINITY);
-        let mut high = f32x8::splat(simd, f32::NEG_INFINITY);
-        for Ray { origin: o, direction: d, .. } in rays {
-            let both = f32x8::from_slice(simd, &[o.x, o.y, o.z, d.x, d.y, d.z, 0.0, 0.0]);
-            low = both.simd_lt(low).select(both, low);
-            high = both.simd_gt(high).select(both, high);
+        let [mut low, mut high] =
+            [f32::INFINITY, f32::NEG_INFINITY].map(|end| [[f32x8::splat(simd, end); 3]; 2]);
+        for eight in rays.chunks(RAYS) {
+            let both = columns(simd, eight, eight[0]);
+            for (vector, axis) in [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)] {
+                let (these, low, high) =
+                    (both[vector][axis], &mut low[vector][axis], &mut high[vector][axis]);
+                *low = these.simd_lt(*low).select(these, *low);
+                *high = these.simd_gt(*high).select(these, *high);
+            }
         }
-        let mut around = Self { low: [0.0; 8], high: [0.0; 8] };
-        low.store_slice(&mut around.low);
-        high.store_slice(&mut around.high);
-        around
+        Self { low: least(simd, low), high: least(simd, high.map(|v| each(v, |x| -x))).map(|x| -x) }
     }
 
     /// Both ends of one of the six intervals.
@@ -57,6 +60,25 @@ impl Around {
     fn ends(&self, of: usize) -> [f64; 2] {
         [f64::from(self.low[of]), f64::from(self.high[of])]
     }
+}
+
+/// The least lane of each of six vectors.
+#[inline(always)]
+fn least<S: Simd>(simd: S, [o, d]: [Vectors<f32x8<S>>; 2]) -> [f32; 6] {
+    let ([a, b, c, e], [f, g, ..]) =
+        (halves(simd, [o[0], o[1], o[2], d[0]]), halves(simd, [d[1], d[2], d[2], d[2]]));
+    let ([a, b, c, e], [f, g, h, i]) = (turn(simd, [a, b, c, e]), turn(simd, [f, g, g, g]));
+    let ([x, y, z, u], [v, w, ..]) = (*a.min(b).min(c.min(e)), *f.min(g).min(h.min(i)));
+    [x, y, z, u, v, w]
+}
+
+/// Four numbers of each of four vectors, of which one is the least.
+#[inline(always)]
+fn halves<S: Simd>(simd: S, [a, b, c, d]: [f32x8<S>; 4]) -> [f32x4<S>; 4] {
+    // Not in a closure, which would be compiled for other instructions.
+    let ((a, e), (b, f)) = (simd.split_f32x8(a), simd.split_f32x8(b));
+    let ((c, g), (d, h)) = (simd.split_f32x8(c), simd.split_f32x8(d));
+    [a.min(e), b.min(f), c.min(g), d.min(h)]
 }
 
 /// Where t may be.

@@ -7,7 +7,7 @@ use super::abreast::RAYS;
 use super::aside::{CROWD, entering, widened};
 use super::bundle::lanes_of;
 use super::horizon::{Horizons, Sky};
-use super::purpose::Known;
+use super::known::Known;
 use super::wide::Bvh;
 use common::accel::Job;
 use common::counters::Counters;

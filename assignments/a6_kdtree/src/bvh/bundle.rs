@@ -1,77 +1,138 @@
-//! Up to eight rays that run alongside each other through the tree together.
+//! Rays that run alongside each other through the tree together.
 
 use super::frustum::Frustum;
-use super::packet::{Lanes, Packet, RAYS, limits};
-use super::single::limit;
-use super::stack::Stack;
-use super::walk::{Visit, Way, walk};
-use super::wide::{Bvh, WIDTH, WideNode};
-use common::accel::Job;
-use common::counters::Counters;
-use common::geometry::Hit;
+use super::packet::{Lanes, Packet, RAYS};
+use super::walk::Way;
+use super::wide::{WIDTH, WideNode};
 use common::math::Interval;
+use common::math::lanes::Vectors;
 use common::ray::Ray;
-use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use common::shape::unfolded::Rays;
+use common::simd::{Simd, SimdBase, SimdFloat, SimdMask};
+
+/// Most rays of a bundle.
+pub const MOST: usize = 32;
 
 /// Rays that go together.
 pub struct Bundle<'p> {
     /// The rays, prepared.
-    pub packet: &'p Packet,
+    pub packet: &'p Packet<MOST>,
     /// What encloses them.
     pub frustum: &'p Frustum,
     /// The rays themselves.
     pub rays: &'p [Ray],
+    /// Whether any leaves a primitive.
+    pub leaving: bool,
     /// A bit for each that is asked for.
     pub asked: u32,
     /// Where hits count.
     pub interval: Interval,
 }
 
-impl Bundle<'_> {
-    /// A bit for each ray that may meet the box of a node's child no later than its own limit.
-    #[inline(always)]
-    fn meeting<S: Simd>(&self, simd: S, node: &WideNode, child: usize, limits: &Lanes) -> u32 {
-        let backward = self.frustum.backward;
-        self.asked & self.packet.rays_meeting(simd, node, child, backward, self.interval.min, limits)
-    }
+/// The lanes of one vector, of which the first is `at`. A vector holds no more than half of all.
+#[inline(always)]
+pub fn vector<S: Simd>(simd: S, lanes: &Lanes<MOST>, at: usize) -> S::f32s {
+    S::f32s::from_slice(simd, &lanes[place::<S>(at)..place::<S>(at) + S::f32s::LEN])
+}
 
-    /// Where boxes matter to each ray, if hits matter until `last`; to none that is not asked for.
+/// The same to be written.
+#[inline(always)]
+pub fn vector_of<S: Simd, T>(lanes: &mut [T; MOST], at: usize) -> &mut [T] {
+    &mut lanes[place::<S>(at)..place::<S>(at) + S::f32s::LEN]
+}
+
+/// The same, but certain to be a place where a vector begins.
+#[inline(always)]
+fn place<S: Simd>(at: usize) -> usize {
+    (at % MOST) & !(S::f32s::LEN - 1)
+}
+
+#[inline(always)]
+fn vectors<S: Simd>(simd: S, lanes: &[Lanes<MOST>; 3], at: usize) -> Vectors<S::f32s> {
+    [vector(simd, &lanes[0], at), vector(simd, &lanes[1], at), vector(simd, &lanes[2], at)]
+}
+
+impl<'p> Bundle<'p> {
+    /// Of these rays.
     #[inline(always)]
-    fn limits<S: Simd>(&self, simd: S, last: &Lanes) -> Lanes {
-        let reach = f32x8::from_slice(simd, &self.packet.reach);
-        let mut limits = *limits(simd, f32x8::from_slice(simd, last), reach);
-        for (lane, limit) in limits.iter_mut().enumerate() {
-            let is_asked = self.asked >> lane & 1 == 1;
-            *limit = if is_asked { *limit } else { f32::NEG_INFINITY };
-        }
-        limits
+    pub fn new(
+        packet: &'p Packet<MOST>,
+        frustum: &'p Frustum,
+        rays: &'p [Ray],
+        asked: u32,
+        interval: Interval,
+    ) -> Self {
+        let leaving = rays.iter().fold(false, |some, ray| some | (ray.home != Ray::ANYWHERE));
+        Self { packet, frustum, rays, leaving, asked, interval }
     }
 }
 
-impl Packet {
-    /// A bit for every ray that may meet the box of a node's child between `min` and its own
-    /// entry of `max`. All rays must have the directions' signs `backward`.
+impl Bundle<'_> {
+    /// A bit for each ray that may meet the box of a node's child no later than its own limit.
     #[inline(always)]
-    pub fn rays_meeting<S: Simd>(
-        &self,
-        simd: S,
-        node: &WideNode,
-        child: usize,
-        backward: u32,
-        min: f32,
-        max: &Lanes,
-    ) -> u32 {
-        let mut near = f32x8::splat(simd, min);
-        let mut far = f32x8::from_slice(simd, max);
-        for axis in 0..3 {
-            let first = (backward >> axis & 1) as usize;
-            let inverse = f32x8::from_slice(simd, &self.inverse[axis]);
-            let enter = f32x8::splat(simd, node.side[axis][first][child]);
-            let leave = f32x8::splat(simd, node.side[axis][first ^ 1][child]);
-            near = near.max(enter.mul_sub(inverse, f32x8::from_slice(simd, &self.near_offset[axis])));
-            far = far.min(leave.mul_sub(inverse, f32x8::from_slice(simd, &self.far_offset[axis])));
+    pub fn meeting<S: Simd>(&self, simd: S, node: &WideNode, child: usize, limits: &Lanes<MOST>) -> u32 {
+        let mut bits = 0;
+        for at in (0..self.rays.len()).step_by(S::f32s::LEN) {
+            let mut near = S::f32s::splat(simd, self.interval.min);
+            let mut far = vector(simd, limits, at);
+            for axis in 0..3 {
+                let first = (self.frustum.backward >> axis & 1) as usize;
+                let inverse = vector(simd, &self.packet.inverse[axis], at);
+                let enter = S::f32s::splat(simd, node.side[axis][first][child]);
+                let leave = S::f32s::splat(simd, node.side[axis][first ^ 1][child]);
+                near = near.max(enter.mul_sub(inverse, vector(simd, &self.packet.near_offset[axis], at)));
+                far = far.min(leave.mul_sub(inverse, vector(simd, &self.packet.far_offset[axis], at)));
+            }
+            bits |= (near.simd_le(far).to_bitmask() as u32) << at;
         }
-        near.simd_le(far).to_bitmask() as u32
+        bits & self.asked
+    }
+
+    /// The rays of a vector, prepared for triangles.
+    #[inline(always)]
+    pub fn lines<S: Simd>(&self, simd: S, at: usize) -> Rays<S::f32s> {
+        let p = self.packet;
+        let errors = [
+            vector(simd, &p.reach, at),
+            vector(simd, &p.weight, at),
+            vector(simd, &p.along, at),
+            vector(simd, &p.depth, at),
+            vector(simd, &p.floor, at),
+        ];
+        let lines = [vectors(simd, &p.origin, at), vectors(simd, &p.direction, at)];
+        Rays::new(simd, lines, errors, self.interval.min)
+    }
+
+    /// Those of some rays of a vector, a bit for each, that do not leave the primitive of this number.
+    #[inline(always)]
+    pub fn not_leaving(&self, at: usize, rays: u32, primitive: u32) -> u32 {
+        let mut others = rays;
+        if !self.leaving {
+            return others;
+        }
+        for lane in lanes_of(rays) {
+            others &= !(u32::from(self.rays[at + lane].home == primitive) << lane);
+        }
+        others
+    }
+}
+
+impl Packet<MOST> {
+    /// Puts eight rays in the first places.
+    #[inline(always)]
+    pub fn copy(&mut self, eight: &Packet) {
+        for axis in 0..3 {
+            self.origin[axis][..RAYS].copy_from_slice(&eight.origin[axis]);
+            self.direction[axis][..RAYS].copy_from_slice(&eight.direction[axis]);
+            self.inverse[axis][..RAYS].copy_from_slice(&eight.inverse[axis]);
+            self.near_offset[axis][..RAYS].copy_from_slice(&eight.near_offset[axis]);
+            self.far_offset[axis][..RAYS].copy_from_slice(&eight.far_offset[axis]);
+        }
+        self.reach[..RAYS].copy_from_slice(&eight.reach);
+        self.weight[..RAYS].copy_from_slice(&eight.weight);
+        self.along[..RAYS].copy_from_slice(&eight.along);
+        self.depth[..RAYS].copy_from_slice(&eight.depth);
+        self.floor[..RAYS].copy_from_slice(&eight.floor);
     }
 }
 
@@ -87,98 +148,6 @@ impl<S: Simd> Way<S> for Bundle<'_> {
     }
 }
 
-/// Looks for the first hit of each ray.
-struct Firsts<'a, 'g> {
-    bvh: &'a Bvh<'g>,
-    bundle: &'a Bundle<'a>,
-    /// By ray: hits later than this do not matter; known before the exact hit is.
-    last: Lanes,
-    limits: Lanes,
-    best: &'a mut [Option<Hit>],
-}
-
-impl<S: Simd> Visit<S> for Firsts<'_, '_> {
-    #[inline(always)]
-    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
-        let Bundle { packet, rays, interval, .. } = *self.bundle;
-        let held = node.child[child].held();
-        for lane in lanes_of(self.bundle.meeting(simd, node, child, &self.limits)) {
-            let job = Job { filter: &packet.filter(lane), ray: &rays[lane], interval };
-            let (last, best) = (self.last[lane], &mut self.best[lane]);
-            self.last[lane] = self.bvh.nearest_held(simd, held, &job, last, best, c);
-            self.limits[lane] = limit(self.last[lane], packet.margin(lane));
-        }
-        greatest(simd, &self.limits)
-    }
-}
-
-/// Looks for any hit of each ray.
-struct AllBlocked<'a, 'g> {
-    bvh: &'a Bvh<'g>,
-    bundle: &'a Bundle<'a>,
-    limits: Lanes,
-    max: f32,
-    /// A bit for each ray that hits something.
-    hit: u32,
-}
-
-impl<S: Simd> Visit<S> for AllBlocked<'_, '_> {
-    #[inline(always)]
-    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
-        let Bundle { packet, rays, interval, asked, .. } = *self.bundle;
-        let held = node.child[child].held();
-        for lane in lanes_of(self.bundle.meeting(simd, node, child, &self.limits) & !self.hit) {
-            let job = Job { filter: &packet.filter(lane), ray: &rays[lane], interval };
-            self.hit |= u32::from(self.bvh.any_held(simd, held, &job, c)) << lane;
-        }
-        if self.hit == asked { f32::NEG_INFINITY } else { self.max }
-    }
-}
-
-impl Bvh<'_> {
-    /// Puts the better of what is there and the first hit of each ray into `best`.
-    #[inline(always)]
-    pub(super) fn nearest_together<S: Simd>(
-        &self,
-        simd: S,
-        bundle: &Bundle,
-        stack: &mut Stack,
-        best: &mut [Option<Hit>],
-        c: &mut Counters,
-    ) {
-        let mut last = [bundle.interval.max; RAYS];
-        for (last, best) in last.iter_mut().zip(best.iter()) {
-            *last = best.map_or(*last, |b| b.t);
-        }
-        let limits = bundle.limits(simd, &last);
-        let mut firsts = Firsts { bvh: self, bundle, last, limits, best };
-        walk(simd, (self, 0), stack, greatest(simd, &limits), bundle, &mut firsts, c);
-    }
-
-    /// A bit for each of the asked rays that hits anything.
-    #[inline(always)]
-    pub(super) fn any_together<S: Simd>(
-        &self,
-        simd: S,
-        bundle: &Bundle,
-        stack: &mut Stack,
-        c: &mut Counters,
-    ) -> u32 {
-        let limits = bundle.limits(simd, &[bundle.interval.max; RAYS]);
-        let max = greatest(simd, &limits);
-        let mut blocked = AllBlocked { bvh: self, bundle, limits, max, hit: 0 };
-        walk(simd, (self, 0), stack, max, bundle, &mut blocked, c);
-        blocked.hit
-    }
-}
-
-#[inline(always)]
-fn greatest<S: Simd>(simd: S, lanes: &Lanes) -> f32 {
-    let (low, high) = simd.split_f32x8(f32x8::from_slice(simd, lanes));
-    let [a, b, c, d] = *low.max(high);
-    a.max(b).max(c.max(d))
-}
-
 /// The numbers of the bits that are set.
 #[inline(always)]
 pub fn lanes_of(mut bits: u32) -> impl Iterator<Item = usize> {
@@ -186,7 +155,7 @@ pub fn lanes_of(mut bits: u32) -> impl Iterator<Item = usize> {
         let lane = bits.trailing_zeros() as usize;
         (bits != 0).then(|| {
             bits &= bits - 1;
-            lane % RAYS
+            lane % MOST
         })
     })
 }

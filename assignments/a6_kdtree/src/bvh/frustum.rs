@@ -4,11 +4,12 @@
 //! Origins and inverse directions of the rays lie in intervals, so where they meet a side does
 //! too. A box that this interval passes by is passed by by every ray.
 
-use super::packet::{EVERY, Lanes, Packet};
+use super::packet::{EVERY, Lanes, Packet, RAYS};
 use super::wide::{WIDTH, WideNode};
-use common::math::Bounds;
 use common::math::lanes::{Vectors, turn};
-use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
+use common::math::{Bounds, Vec3};
+use common::ray::Ray;
+use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x4, f32x8};
 
 /// Rays whose directions differ by more than this part of the direction are no bundle …
 const SPREAD: f32 = 0.1;
@@ -30,24 +31,30 @@ pub struct Frustum {
 }
 
 impl Frustum {
-    /// Encloses the rays of a packet if they are a bundle worth it.
+    /// Encloses the rays of a full packet if they are a bundle worth it.
     #[inline(always)]
-    pub fn around<S: Simd>(simd: S, packet: &Packet, bounds: &Bounds) -> Option<Self> {
-        let one_way = packet.backward.iter().all(|rays| *rays == 0 || *rays == EVERY);
-        if !one_way || packet.usable & packet.ordinary != EVERY {
+    pub fn around<S: Simd, const N: usize>(
+        simd: S,
+        packet: &Packet<N>,
+        count: usize,
+        bounds: &Bounds,
+    ) -> Option<Self> {
+        let every = u32::MAX >> (32 - count);
+        let one_way = packet.backward.iter().all(|rays| rays & every == 0 || rays & every == every);
+        if !one_way || packet.usable & packet.ordinary & every != every {
             return None;
         }
         let backward = packet.backward[0] & 1 | packet.backward[1] & 2 | packet.backward[2] & 4;
-        let origin = ranges(simd, &packet.origin);
-        let direction = ranges(simd, &packet.direction);
+        let origin = ranges(simd, &packet.origin, count);
+        let direction = ranges(simd, &packet.direction, count);
         let (apart, step) = (bounds.size().max_element() * APART, greatest(&packet.direction, 0) * SPREAD);
         let beside = |[low, high]: &[f32; 2], most: f32| high - low <= most;
         let bundle = origin.iter().all(|o| beside(o, apart)) && direction.iter().all(|d| beside(d, step));
         if !bundle {
             return None;
         }
-        let inverse = ranges(simd, &packet.inverse);
-        let error = ranges(simd, &packet.error).map(|[_, most]| most);
+        let inverse = ranges(simd, &packet.inverse, count);
+        let error = ranges(simd, &packet.error, count).map(|[_, most]| most);
         let mut f = Self { sign: [1.0; 3], origin, inverse, error, backward };
         for axis in 0..3 {
             let [low, high] = origin[axis];
@@ -94,6 +101,14 @@ impl Frustum {
     }
 }
 
+/// Whether all rays between two may be a bundle.
+#[inline(always)]
+pub fn may_be_bundle(first: &Ray, last: &Ray, bounds: &Bounds) -> bool {
+    let (apart, step) = (bounds.size().max_element() * APART, first.direction.abs().max_element() * SPREAD);
+    let beside = |a: Vec3, b: Vec3, most: f32| (a - b).abs().max_element() <= most;
+    beside(first.origin, last.origin, apart) && beside(first.direction, last.direction, step)
+}
+
 /// Whether rays may be a bundle by the signs of their directions.
 #[inline(always)]
 pub fn go_one_way<S: Simd>(simd: S, direction: Vectors<f32x8<S>>) -> bool {
@@ -108,29 +123,40 @@ pub fn go_one_way<S: Simd>(simd: S, direction: Vectors<f32x8<S>>) -> bool {
 pub fn starts_together<S: Simd>(simd: S, packet: &Packet, bounds: &Bounds) -> bool {
     let apart = bounds.size().max_element() * APART;
     // Written so that NaN is not near.
-    ranges(simd, &packet.origin).iter().all(|[low, high]| high - low <= apart)
+    ranges(simd, &packet.origin, RAYS).iter().all(|[low, high]| high - low <= apart)
 }
 
 /// The largest component of one ray's vector.
 #[inline(always)]
-fn greatest(vectors: &[Lanes; 3], lane: usize) -> f32 {
+fn greatest<const N: usize>(vectors: &[Lanes<N>; 3], lane: usize) -> f32 {
     vectors[0][lane].abs().max(vectors[1][lane].abs()).max(vectors[2][lane].abs())
 }
 
-/// The least and the greatest of eight finite numbers, for each of three axes. What numbers that
-/// are not finite make of it means nothing.
+/// The least and the greatest of eight finite numbers or of several times eight, for each of three
+/// axes. What numbers that are not finite make of it means nothing.
 #[inline(always)]
-fn ranges<S: Simd>(simd: S, lanes: &[Lanes; 3]) -> [[f32; 2]; 3] {
+fn ranges<S: Simd, const N: usize>(simd: S, lanes: &[Lanes<N>; 3], count: usize) -> [[f32; 2]; 3] {
     // Not in a closure, which would be a call, and compiled for other instructions.
-    let (x, other_x) = simd.split_f32x8(f32x8::from_slice(simd, &lanes[0]));
-    let (y, other_y) = simd.split_f32x8(f32x8::from_slice(simd, &lanes[1]));
-    let (z, other_z) = simd.split_f32x8(f32x8::from_slice(simd, &lanes[2]));
-    let (most_x, most_y, most_z) = (x.max(other_x), y.max(other_y), z.max(other_z));
-    let (x, y, z) = (x.min(other_x), y.min(other_y), z.min(other_z));
+    let ((x, most_x), (y, most_y)) = (range(simd, &lanes[0], count), range(simd, &lanes[1], count));
+    let (z, most_z) = range(simd, &lanes[2], count);
     let (mut least, mut most) = ([0.0; 4], [0.0; 4]);
     let [a, b, c, d] = turn(simd, [x, y, z, z]);
     a.min(b).min(c.min(d)).store_slice(&mut least);
     let [a, b, c, d] = turn(simd, [most_x, most_y, most_z, most_z]);
     a.max(b).max(c.max(d)).store_slice(&mut most);
     [[least[0], most[0]], [least[1], most[1]], [least[2], most[2]]]
+}
+
+/// Four numbers of which one is the least, and four of which one is the greatest.
+#[inline(always)]
+fn range<S: Simd, const N: usize>(simd: S, lanes: &Lanes<N>, count: usize) -> (f32x4<S>, f32x4<S>) {
+    let mut least = f32x8::from_slice(simd, &lanes[..RAYS]);
+    let mut most = least;
+    for at in (RAYS..count).step_by(RAYS) {
+        let more = f32x8::from_slice(simd, &lanes[at..at + RAYS]);
+        (least, most) = (least.min(more), most.max(more));
+    }
+    let (low, high) = simd.split_f32x8(least);
+    let (most_low, most_high) = simd.split_f32x8(most);
+    (low.min(high), most_low.max(most_high))
 }

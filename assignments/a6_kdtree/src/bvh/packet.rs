@@ -4,14 +4,13 @@ pub use super::abreast::RAYS;
 
 use super::abreast::columns;
 use super::beam::Beam;
-use super::single::ROUNDING;
 use super::slabs::{ORDINARY, Slabs};
 use super::wide::WIDTH;
-use common::math::lanes::store;
 use common::math::{Bounds, Vec3};
 use common::ray::Ray;
 use common::shape::filter::{Errors, Filter, MARGIN};
-use common::simd::{Select, Simd, SimdBase, SimdMask, f32x8};
+use common::simd::{Simd, SimdBase, SimdMask, f32x8};
+use std::ops::Range;
 
 /// A bit for each ray.
 pub const EVERY: u32 = (1 << RAYS) - 1;
@@ -36,10 +35,10 @@ pub struct Packet<const N: usize = RAYS> {
     pub far_offset: [Lanes<N>; 3],
     /// How wrong tests of triangles may be; see [`Errors`].
     pub reach: Lanes<N>,
-    weight: Lanes<N>,
-    along: Lanes<N>,
-    depth: Lanes<N>,
-    floor: Lanes<N>,
+    pub(super) weight: Lanes<N>,
+    pub(super) along: Lanes<N>,
+    pub(super) depth: Lanes<N>,
+    pub(super) floor: Lanes<N>,
     /// A bit for every ray that can hit anything at all.
     pub usable: u32,
     /// A bit for every ray whose box tests are sure not to overflow.
@@ -52,34 +51,48 @@ impl Packet {
     /// Prepares one to eight rays for a tree within `bounds`; unused places repeat the last.
     #[inline(always)]
     pub fn of<S: Simd>(simd: S, rays: &[Ray], bounds: &Bounds) -> Self {
+        let mut packet = Self::EMPTY;
+        packet.put(simd, 0, rays, bounds);
+        packet
+    }
+}
+
+impl<const N: usize> Packet<N> {
+    /// The same for the eight places from `at` on.
+    #[inline(always)]
+    pub fn put<S: Simd>(&mut self, simd: S, at: usize, rays: &[Ray], bounds: &Bounds) {
         let [origin, direction] = columns(simd, rays, rays[rays.len() - 1]);
         let zero = f32x8::splat(simd, 0.0);
         let (mut far, mut step) = (zero, zero);
-        let mut packet = Self { origin: store(origin), direction: store(direction), ..Self::EMPTY };
+        let (lanes, eight) = (at..at + RAYS, EVERY << at);
         for axis in 0..3 {
             let (o, d) = (origin[axis], direction[axis]);
             let [min, max] = [bounds.min[axis], bounds.max[axis]];
             let slab = Slabs::new(simd, o, d, f32x8::splat(simd, min), f32x8::splat(simd, max));
-            slab.inverse.store_slice(&mut packet.inverse[axis]);
-            slab.error.store_slice(&mut packet.error[axis]);
-            slab.near_offset.store_slice(&mut packet.near_offset[axis]);
-            slab.far_offset.store_slice(&mut packet.far_offset[axis]);
-            packet.backward[axis] = slab.inverse.simd_lt(zero).to_bitmask() as u32;
+            o.store_slice(&mut self.origin[axis][lanes.clone()]);
+            d.store_slice(&mut self.direction[axis][lanes.clone()]);
+            slab.inverse.store_slice(&mut self.inverse[axis][lanes.clone()]);
+            slab.error.store_slice(&mut self.error[axis][lanes.clone()]);
+            slab.near_offset.store_slice(&mut self.near_offset[axis][lanes.clone()]);
+            slab.far_offset.store_slice(&mut self.far_offset[axis][lanes.clone()]);
+            let backward = (slab.inverse.simd_lt(zero).to_bitmask() as u32) << at;
+            self.backward[axis] = self.backward[axis] & !eight | backward;
             far = far.max(slab.far);
             step = step.max(d.abs());
         }
-        packet.usable = Ray::are_usable(simd, origin, direction).to_bitmask() as u32;
+        let usable = (Ray::are_usable(simd, origin, direction).to_bitmask() as u32) << at;
+        self.usable = self.usable & !eight | usable;
         let [reach, weight, along, depth, floor] = Errors::abreast(simd, far, step);
-        reach.store_slice(&mut packet.reach);
-        weight.store_slice(&mut packet.weight);
-        along.store_slice(&mut packet.along);
-        depth.store_slice(&mut packet.depth);
-        floor.store_slice(&mut packet.floor);
-        packet.ordinary = far.simd_lt(step * f32x8::splat(simd, ORDINARY)).to_bitmask() as u32;
-        if packet.ordinary != EVERY {
-            packet.give_up();
+        reach.store_slice(&mut self.reach[lanes.clone()]);
+        weight.store_slice(&mut self.weight[lanes.clone()]);
+        along.store_slice(&mut self.along[lanes.clone()]);
+        depth.store_slice(&mut self.depth[lanes.clone()]);
+        floor.store_slice(&mut self.floor[lanes.clone()]);
+        let ordinary = (far.simd_lt(step * f32x8::splat(simd, ORDINARY)).to_bitmask() as u32) << at;
+        self.ordinary = self.ordinary & !eight | ordinary;
+        if ordinary != eight {
+            self.give_up(lanes);
         }
-        packet
     }
 }
 
@@ -119,7 +132,7 @@ impl Packet<1> {
         packet.set_errors(0, &Errors::new(far, step));
         packet.ordinary = u32::from(far < ORDINARY * step);
         if packet.ordinary == 0 {
-            packet.give_up();
+            packet.give_up(0..1);
         }
         packet
     }
@@ -158,8 +171,11 @@ impl<const N: usize> Packet<N> {
 
     /// Lets rays that are not ordinary meet every box.
     #[cold]
-    fn give_up(&mut self) {
-        for lane in (0..N).filter(|lane| self.ordinary >> lane & 1 == 0) {
+    fn give_up(&mut self, lanes: Range<usize>) {
+        for lane in lanes {
+            if self.ordinary >> lane & 1 == 1 {
+                continue;
+            }
             for axis in 0..3 {
                 self.inverse[axis][lane] = 0.0;
                 self.error[axis][lane] = f32::INFINITY;
@@ -213,14 +229,6 @@ impl<const N: usize> Packet<N> {
     pub fn margin(&self, lane: usize) -> f32 {
         self.reach[lane] * MARGIN
     }
-}
-
-/// For each of eight t the [`limit`](super::single::limit) by the rays' reach.
-#[inline(always)]
-pub fn limits<S: Simd>(simd: S, t: f32x8<S>, reach: f32x8<S>) -> f32x8<S> {
-    let margin = reach * f32x8::splat(simd, MARGIN);
-    let later = t + t.abs() * f32x8::splat(simd, ROUNDING) + margin;
-    t.simd_eq(f32x8::splat(simd, f32::INFINITY)).select(t, later)
 }
 
 /// The one of some children, a bit for each, that is entered first by the order of centres

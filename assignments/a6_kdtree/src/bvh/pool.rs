@@ -11,9 +11,9 @@
 //! each; r = 16u·3·G is taken.
 
 use super::bundle::lanes_of;
+use super::known::Known;
 use super::order::{Order, cells_of};
 use super::packet::RAYS;
-use super::purpose::Known;
 use super::stream::{MANY, OCTANTS, Stream};
 use common::math::Bounds;
 use common::math::lanes::Vectors;

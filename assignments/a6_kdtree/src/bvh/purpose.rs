@@ -1,7 +1,9 @@
 //! What a crowd of rays is followed for: the first hit of each, or any.
 
 use super::bundle::Bundle;
+use super::known::Known;
 use super::packet::RAYS;
+use super::pending::Pending;
 use super::single::Query;
 use super::stack::Stack;
 use super::wide::{Bvh, Held};
@@ -9,7 +11,7 @@ use common::accel::Job;
 use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::Interval;
-use common::shape::triangle_block::TriangleBlock;
+use common::ray::Ray;
 use common::simd::Simd;
 
 /// What rays are followed for.
@@ -26,8 +28,27 @@ pub trait Purpose {
     /// Follows one ray all the way.
     fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters);
 
-    /// Follows rays from number `first` on, which run alongside each other.
+    /// Follows rays from number `first` on, which run alongside each other. What is then pending may
+    /// still be hit.
     fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters);
+
+    /// Decides what is pending if that is much or all is over.
+    fn decide<S: Simd>(&mut self, simd: S, bvh: &Bvh, rays: &[Ray], is_over: bool, c: &mut Counters);
+}
+
+/// What is noted on the way.
+pub struct Notes {
+    /// Nodes with children still to be visited.
+    pub stack: Stack,
+    /// Triangles still to be asked.
+    pub pending: Pending,
+}
+
+impl Notes {
+    /// Nothing.
+    pub fn new() -> Self {
+        Self { stack: Stack::new(), pending: Pending::default() }
+    }
 }
 
 /// A ray at a leaf.
@@ -40,92 +61,6 @@ pub struct At<'a> {
     pub last: f32,
 }
 
-/// What is known of a ray when the tree is asked: its first hit so far, or whether there is any.
-pub trait Known: Copy + PartialEq {
-    /// Nothing yet.
-    const NONE: Self;
-
-    /// What finds out the rest.
-    type Purpose<'a>: Purpose
-    where
-        Self: 'a;
-
-    /// Finds out the rest of some rays.
-    fn purpose<'a>(interval: Interval, known: &'a mut [Self], stack: &'a mut Stack) -> Self::Purpose<'a>;
-
-    /// What the tree holds after this t does not matter; −∞ if nothing does. `max` is where the
-    /// interval ends.
-    fn last(&self, max: f32) -> f32;
-
-    /// Looks at so many of the first triangles of a block. Hits later than `last` do not matter; returns
-    /// until where they do from now on, −∞ if none does.
-    fn look<S: Simd>(
-        &mut self,
-        simd: S,
-        first: (&TriangleBlock, usize),
-        last: f32,
-        job: &Job,
-        c: &mut Counters,
-    ) -> f32;
-}
-
-impl Known for Option<Hit> {
-    const NONE: Self = None;
-
-    type Purpose<'a> = Nearest<'a>;
-
-    #[inline(always)]
-    fn purpose<'a>(interval: Interval, best: &'a mut [Self], stack: &'a mut Stack) -> Nearest<'a> {
-        Nearest { interval, best, stack }
-    }
-
-    #[inline(always)]
-    fn last(&self, max: f32) -> f32 {
-        self.map_or(max, |hit| hit.t)
-    }
-
-    #[inline(always)]
-    fn look<S: Simd>(
-        &mut self,
-        simd: S,
-        (block, len): (&TriangleBlock, usize),
-        last: f32,
-        job: &Job,
-        c: &mut Counters,
-    ) -> f32 {
-        job.nearest_of(simd, block, len, last, self, c)
-    }
-}
-
-impl Known for bool {
-    const NONE: Self = false;
-
-    type Purpose<'a> = Blocked<'a>;
-
-    #[inline(always)]
-    fn purpose<'a>(interval: Interval, hit: &'a mut [Self], stack: &'a mut Stack) -> Blocked<'a> {
-        Blocked { interval, hit, stack }
-    }
-
-    #[inline(always)]
-    fn last(&self, max: f32) -> f32 {
-        if *self { f32::NEG_INFINITY } else { max }
-    }
-
-    #[inline(always)]
-    fn look<S: Simd>(
-        &mut self,
-        simd: S,
-        (block, len): (&TriangleBlock, usize),
-        last: f32,
-        job: &Job,
-        c: &mut Counters,
-    ) -> f32 {
-        *self |= job.any_of(simd, block, len, c);
-        if *self { f32::NEG_INFINITY } else { last }
-    }
-}
-
 /// Looks for the first hit of each ray.
 pub struct Nearest<'a> {
     /// Where hits count.
@@ -133,7 +68,7 @@ pub struct Nearest<'a> {
     /// The best so far, by ray.
     pub best: &'a mut [Option<Hit>],
     /// For rays that are not followed in slots.
-    pub stack: &'a mut Stack,
+    pub notes: &'a mut Notes,
 }
 
 impl Purpose for Nearest<'_> {
@@ -154,13 +89,20 @@ impl Purpose for Nearest<'_> {
 
     #[inline(always)]
     fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters) {
-        self.best[ray] = bvh.nearest_one(simd, query, self.stack, self.best[ray], c);
+        self.best[ray] = bvh.nearest_one(simd, query, &mut self.notes.stack, self.best[ray], c);
     }
 
     #[inline(always)]
     fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters) {
         let best = &mut self.best[first..first + bundle.rays.len()];
-        bvh.nearest_together(simd, bundle, self.stack, best, c);
+        bvh.nearest_together(simd, (bundle, first), self.notes, best, c);
+    }
+
+    #[inline(always)]
+    fn decide<S: Simd>(&mut self, simd: S, bvh: &Bvh, rays: &[Ray], is_over: bool, c: &mut Counters) {
+        if is_over || self.notes.pending.are_enough() {
+            self.notes.pending.decide(simd, bvh, rays, self.interval, self.best, c);
+        }
     }
 }
 
@@ -171,7 +113,7 @@ pub struct Blocked<'a> {
     /// Whether there is one, by ray.
     pub hit: &'a mut [bool],
     /// For rays that are not followed in slots.
-    pub stack: &'a mut Stack,
+    pub notes: &'a mut Notes,
 }
 
 impl Purpose for Blocked<'_> {
@@ -196,14 +138,17 @@ impl Purpose for Blocked<'_> {
 
     #[inline(always)]
     fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters) {
-        self.hit[ray] = bvh.any_one(simd, query, self.stack, c);
+        self.hit[ray] = bvh.any_one(simd, query, &mut self.notes.stack, c);
     }
 
     #[inline(always)]
     fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters) {
-        let bits = bvh.any_together(simd, bundle, self.stack, c);
+        let bits = bvh.any_together(simd, bundle, &mut self.notes.stack, c);
         for (lane, hit) in self.hit[first..first + bundle.rays.len()].iter_mut().enumerate() {
             *hit |= bits >> lane & 1 == 1;
         }
     }
+
+    #[inline(always)]
+    fn decide<S: Simd>(&mut self, _: S, _: &Bvh, _: &[Ray], _: bool, _: &mut Counters) {}
 }

@@ -85,10 +85,10 @@ impl Record {
 
     /// What triangles want to know of eight rays whose hits count from `min` on.
     #[inline(always)]
-    pub fn lines<S: Simd>(simd: S, records: [&Self; RAYS], min: f32) -> Rays<S> {
+    pub fn lines<S: Simd>(simd: S, records: [&Self; RAYS], min: f32) -> Rays<f32x8<S>> {
         let [ox, oy, oz, dx] = columns(simd, quarters(records, |r| &r.line[0]));
         let [dy, dz, far, step] = columns(simd, quarters(records, |r| &r.line[1]));
-        Rays::new(simd, [ox, oy, oz], [dx, dy, dz], [far, step], min)
+        Rays::new(simd, [[ox, oy, oz], [dx, dy, dz]], Errors::abreast(simd, far, step), min)
     }
 }
 

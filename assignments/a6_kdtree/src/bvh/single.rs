@@ -11,10 +11,11 @@ use common::geometry::Hit;
 use common::math::Interval;
 use common::ray::Ray;
 use common::shape::ExactRay;
-use common::simd::Simd;
+use common::shape::filter::MARGIN;
+use common::simd::{Floats, Select, Simd};
 
 /// More than the rounding of t at both sides of a comparison; relative to t.
-pub const ROUNDING: f32 = 1.0 / (1 << 20) as f32;
+const ROUNDING: f32 = 1.0 / (1 << 20) as f32;
 
 /// A box that is entered later than this holds nothing that could come before a hit at `t`, or
 /// tie with it, or lie in an interval that ends there.
@@ -22,6 +23,14 @@ pub const ROUNDING: f32 = 1.0 / (1 << 20) as f32;
 pub fn limit(t: f32, margin: f32) -> f32 {
     // A branch, so that the first node need not wait for the margin of an endless ray.
     if t == f32::INFINITY { t } else { t + t.abs() * ROUNDING + margin }
+}
+
+/// For each t the [`limit`] by the rays' reach.
+#[inline(always)]
+pub fn limits<S: Simd, V: Floats<S>>(simd: S, t: V, reach: V) -> V {
+    let margin = reach * V::splat(simd, MARGIN);
+    let later = t + t.abs() * V::splat(simd, ROUNDING) + margin;
+    t.simd_eq(V::splat(simd, f32::INFINITY)).select(t, later)
 }
 
 /// One ray of a packet, and the stretch in which hits count.

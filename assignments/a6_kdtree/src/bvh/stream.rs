@@ -1,9 +1,10 @@
 //! Many rays of one octant that go from node to node in lists.
 
 use super::abreast::columns;
-use super::packet::{RAYS, limits};
-use super::purpose::Known;
+use super::known::Known;
+use super::packet::RAYS;
 use super::record::Record;
+use super::single::limits;
 use super::slabs::Slabs;
 use common::math::Bounds;
 use common::ray::Ray;

@@ -1,12 +1,10 @@
 //! Questions to the tree: one ray, or many.
 
-use super::abreast::{Abreast, Firsts, RAYS};
-use super::frustum::Frustum;
 use super::inlet::Inlet;
+use super::known::Known;
 use super::packet::Packet;
 use super::pool::Pool;
-use super::purpose::Known;
-use super::sheets;
+use super::purpose::Notes;
 use super::single::Query;
 use super::stack::Stack;
 use super::stream::MANY;
@@ -48,70 +46,10 @@ impl Bvh<'_> {
         self.any_one(simd, &Query { packet, lane: 0, ray, interval }, &mut Stack::new(), c)
     }
 
-    /// The first hit of each ray among what stands beside the tree.
-    #[inline(always)]
-    fn nearest_beside<S: Simd>(
-        &self,
-        simd: S,
-        rays: &[Ray],
-        interval: Interval,
-        hits: &mut [Option<Hit>],
-        c: &mut Counters,
-    ) {
-        if self.stands_alone() {
-            return hits.fill(None);
-        }
-        for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
-            let all_leave = sheets::all_leave(self.geometry.sheets(), rays);
-            if all_leave && self.balls.is_empty() {
-                hits.fill(None);
-                continue;
-            }
-            let abreast = Abreast::of(simd, rays);
-            let mut firsts = Firsts::NONE;
-            if !all_leave {
-                sheets::nearest(simd, self.geometry, (rays, &abreast), interval, &mut firsts, c);
-            }
-            self.balls.nearest(simd, self.geometry, (rays, &abreast), interval, &mut firsts, c);
-            for (lane, hit) in hits.iter_mut().enumerate().take(RAYS) {
-                *hit = firsts.hit(lane);
-            }
-        }
-    }
-
-    /// Whether each ray hits anything that stands beside the tree.
-    #[inline(always)]
-    fn any_beside<S: Simd>(
-        &self,
-        simd: S,
-        rays: &[Ray],
-        interval: Interval,
-        hit: &mut [bool],
-        c: &mut Counters,
-    ) {
-        if self.stands_alone() {
-            return hit.fill(false);
-        }
-        for (rays, hit) in rays.chunks(RAYS).zip(hit.chunks_mut(RAYS)) {
-            let all_leave = sheets::all_leave(self.geometry.sheets(), rays);
-            if all_leave {
-                hit.fill(false);
-                if self.balls.is_empty() {
-                    continue;
-                }
-            }
-            let abreast = Abreast::of(simd, rays);
-            if !all_leave {
-                sheets::any(simd, self.geometry, (rays, &abreast), interval, hit, c);
-            }
-            self.balls.any(simd, self.geometry, (rays, &abreast), interval, hit, c);
-        }
-    }
-
-    /// Asks the tree about all rays, of which so much is `known`.
+    /// Asks about all rays.
     fn ask<T: Known>(&self, rays: &[Ray], interval: Interval, known: &mut [T], c: &mut Counters) {
         let pool = Pool::of_many(rays.len(), self.nodes.len(), &self.bounds);
-        let mut desk = Desk { stack: Stack::new(), pool };
+        let mut desk = Desk { notes: Notes::new(), pool };
         // Where other things stand beside the tree it is asked of few rays, which had better be put
         // together.
         let size = if self.stands_alone() { PART } else { MANY };
@@ -122,7 +60,7 @@ impl Bvh<'_> {
             if let Some(pool) = desk.pool.as_mut().filter(|pool| pool.is_full() || is_last) {
                 pool.let_flow(rays, interval.max, (known, self.stands_alone()), |stream, known| {
                     dispatch!(simd::level(), s => {
-                        let purpose = &mut T::purpose(interval, known, &mut desk.stack);
+                        let purpose = &mut T::purpose(interval, known, &mut desk.notes);
                         self.flow(s, stream, interval, purpose, c);
                     });
                 });
@@ -130,7 +68,8 @@ impl Bvh<'_> {
         }
     }
 
-    /// Asks the tree about some of all rays, but those that wait for a stream.
+    /// Asks about some of all rays: first what stands beside the tree, then the tree about all but those that
+    /// wait for a stream.
     #[expect(clippy::too_many_arguments, reason = "all of them belong to one loop")]
     #[inline(always)]
     fn ask_part<S: Simd, T: Known>(
@@ -144,7 +83,11 @@ impl Bvh<'_> {
         c: &mut Counters,
     ) {
         let first = part.start;
-        let Desk { stack, pool } = desk;
+        let Desk { notes, pool } = desk;
+        T::ask_beside(simd, self, &rays[part.clone()], interval, &mut known[part.clone()], c);
+        if self.nodes.is_empty() {
+            return;
+        }
         self.ask_for(
             simd,
             &rays[part.clone()],
@@ -153,7 +96,7 @@ impl Bvh<'_> {
             #[inline(always)]
             |rays, known, numbers, c| {
                 let inlet = pool.as_mut().map(|pool| Inlet { pool, first, numbers });
-                self.follow(simd, rays, inlet, interval, &mut T::purpose(interval, known, stack), c);
+                self.follow(simd, rays, inlet, interval, &mut T::purpose(interval, known, notes), c);
             },
             c,
         );
@@ -162,23 +105,12 @@ impl Bvh<'_> {
 
 /// What a call works with.
 struct Desk {
-    stack: Stack,
+    notes: Notes,
     pool: Option<Pool>,
 }
 
 /// Rays of one call that are looked at before the next are: so many stay in the nearest cache.
 const PART: usize = 256;
-
-/// Fewer rays are faster one by one.
-const BUNDLE: usize = 4;
-
-impl Bvh<'_> {
-    /// What encloses a packet's rays, if they are worth following together.
-    #[inline(always)]
-    pub(super) fn frustum<S: Simd>(&self, simd: S, packet: &Packet, rays: usize) -> Option<Frustum> {
-        if rays < BUNDLE { None } else { Frustum::around(simd, packet, &self.bounds) }
-    }
-}
 
 impl Accel for Bvh<'_> {
     fn nearest(&self, ray: &Ray, interval: Interval, counters: &mut Counters) -> Option<Hit> {
@@ -217,18 +149,12 @@ impl Accel for Bvh<'_> {
         counters: &mut Counters,
     ) {
         assert_eq!(rays.len(), hits.len());
-        dispatch!(simd::level(), s => self.nearest_beside(s, rays, interval, hits, counters));
-        if !self.nodes.is_empty() {
-            self.ask(rays, interval, hits, counters);
-        }
+        self.ask(rays, interval, hits, counters);
     }
 
     fn any_many(&self, rays: &[Ray], interval: Interval, hit: &mut [bool], counters: &mut Counters) {
         assert_eq!(rays.len(), hit.len());
-        dispatch!(simd::level(), s => self.any_beside(s, rays, interval, hit, counters));
-        if !self.nodes.is_empty() {
-            self.ask(rays, interval, hit, counters);
-        }
+        self.ask(rays, interval, hit, counters);
     }
 
     fn geometry(&self) -> &Geometry {

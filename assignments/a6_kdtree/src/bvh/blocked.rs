@@ -1,0 +1,98 @@
+//! Whether each ray of a bundle hits anything.
+
+use super::bundle::{Bundle, MOST, lanes_of, vector};
+use super::stack::Stack;
+use super::together::{Found, Known, Leaf, Seek, Seeker};
+use super::walk::walk;
+use super::wide::{Bvh, Held};
+use common::accel::Job;
+use common::counters::Counters;
+use common::shape::triangle_block::Faces;
+use common::shape::unfolded::Unfolded;
+use common::simd::Simd;
+
+struct AllBlocked<'a, 'g> {
+    known: Known<'a, 'g>,
+    max: f32,
+    /// A bit for each ray that hits something.
+    hit: u32,
+}
+
+impl<'a, 'g: 'a> Seek<'a, 'g> for AllBlocked<'a, 'g> {
+    #[inline(always)]
+    fn known(&mut self) -> &mut Known<'a, 'g> {
+        &mut self.known
+    }
+
+    #[inline(always)]
+    fn ask_vector<S: Simd>(
+        &mut self,
+        simd: S,
+        leaf: &Leaf,
+        unfolded: &Unfolded,
+        at: usize,
+        mut asked: u32,
+        c: &mut Counters,
+    ) {
+        let bundle = self.known.bundle;
+        let (lines, last) = (bundle.lines(simd, at), vector(simd, &self.known.last, at));
+        for lane in 0..leaf.len {
+            let Some(verdicts) = unfolded.judge(simd, &lines, lane, asked, last) else { continue };
+            let possible = bundle.not_leaving(at, verdicts.possible, leaf.block.index[lane]);
+            let mut hit = verdicts.certain & possible;
+            for ray in lanes_of(possible & !hit) {
+                hit |= u32::from(self.known.decide_now(leaf, lane, at + ray, c).is_some()) << ray;
+            }
+            self.hit |= hit << at;
+            asked &= !hit;
+            if asked == 0 {
+                break;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn ask_ray<S: Simd>(&mut self, simd: S, leaf: &Leaf, faces: &Faces<S>, ray: usize, c: &mut Counters) {
+        let (Found { certain, doubtful }, _) = self.known.judge(simd, leaf, faces, ray);
+        let mut hit = certain != 0;
+        for lane in lanes_of(doubtful) {
+            hit = hit || self.known.decide_now(leaf, lane, ray, c).is_some();
+        }
+        self.hit |= u32::from(hit) << ray;
+    }
+
+    #[inline(always)]
+    fn ask_solids<S: Simd>(&mut self, simd: S, held: Held, ray: usize, c: &mut Counters) {
+        let Bundle { packet, rays, interval, .. } = *self.known.bundle;
+        let job = Job { filter: &packet.filter(ray), ray: &rays[ray], interval };
+        self.hit |= u32::from(self.known.bvh.any_held(simd, held, &job, c)) << ray;
+    }
+
+    #[inline(always)]
+    fn settled(&self) -> u32 {
+        self.hit
+    }
+
+    #[inline(always)]
+    fn end<S: Simd>(&mut self, _: S) -> f32 {
+        if self.hit == self.known.bundle.asked { f32::NEG_INFINITY } else { self.max }
+    }
+}
+
+impl Bvh<'_> {
+    /// A bit for each of the asked rays that hits anything.
+    #[inline(always)]
+    pub(super) fn any_together<S: Simd>(
+        &self,
+        simd: S,
+        bundle: &Bundle,
+        stack: &mut Stack,
+        c: &mut Counters,
+    ) -> u32 {
+        let known = Known::new(simd, self, bundle, &[bundle.interval.max; MOST]);
+        let max = known.greatest(simd);
+        let mut blocked = Seeker(AllBlocked { known, max, hit: 0 });
+        walk(simd, (self, 0), stack, max, bundle, &mut blocked, c);
+        blocked.0.hit
+    }
+}

@@ -1,0 +1,131 @@
+//! What is known of a ray when the tree is asked.
+
+use super::purpose::{Blocked, Nearest, Notes, Purpose};
+use super::wide::Bvh;
+use common::accel::Job;
+use common::counters::Counters;
+use common::geometry::Hit;
+use common::math::Interval;
+use common::ray::Ray;
+use common::shape::triangle_block::TriangleBlock;
+use common::simd::Simd;
+
+/// What is known of a ray when the tree is asked: its first hit so far, or whether there is any.
+pub trait Known: Copy + PartialEq {
+    /// Nothing yet.
+    const NONE: Self;
+
+    /// What finds out the rest.
+    type Purpose<'a>: Purpose
+    where
+        Self: 'a;
+
+    /// Finds out what is known of some rays when what stands beside the tree has been asked.
+    fn ask_beside<S: Simd>(
+        simd: S,
+        bvh: &Bvh,
+        rays: &[Ray],
+        interval: Interval,
+        known: &mut [Self],
+        c: &mut Counters,
+    );
+
+    /// Finds out the rest of some rays.
+    fn purpose<'a>(interval: Interval, known: &'a mut [Self], notes: &'a mut Notes) -> Self::Purpose<'a>;
+
+    /// What the tree holds after this t does not matter; −∞ if nothing does. `max` is where the
+    /// interval ends.
+    fn last(&self, max: f32) -> f32;
+
+    /// Looks at so many of the first triangles of a block. Hits later than `last` do not matter; returns
+    /// until where they do from now on, −∞ if none does.
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        first: (&TriangleBlock, usize),
+        last: f32,
+        job: &Job,
+        c: &mut Counters,
+    ) -> f32;
+}
+
+impl Known for Option<Hit> {
+    const NONE: Self = None;
+
+    type Purpose<'a> = Nearest<'a>;
+
+    #[inline(always)]
+    fn ask_beside<S: Simd>(
+        simd: S,
+        bvh: &Bvh,
+        rays: &[Ray],
+        interval: Interval,
+        known: &mut [Self],
+        c: &mut Counters,
+    ) {
+        bvh.nearest_beside(simd, rays, interval, known, c);
+    }
+
+    #[inline(always)]
+    fn purpose<'a>(interval: Interval, best: &'a mut [Self], notes: &'a mut Notes) -> Nearest<'a> {
+        Nearest { interval, best, notes }
+    }
+
+    #[inline(always)]
+    fn last(&self, max: f32) -> f32 {
+        self.map_or(max, |hit| hit.t)
+    }
+
+    #[inline(always)]
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        (block, len): (&TriangleBlock, usize),
+        last: f32,
+        job: &Job,
+        c: &mut Counters,
+    ) -> f32 {
+        job.nearest_of(simd, block, len, last, self, c)
+    }
+}
+
+impl Known for bool {
+    const NONE: Self = false;
+
+    type Purpose<'a> = Blocked<'a>;
+
+    #[inline(always)]
+    fn ask_beside<S: Simd>(
+        simd: S,
+        bvh: &Bvh,
+        rays: &[Ray],
+        interval: Interval,
+        known: &mut [Self],
+        c: &mut Counters,
+    ) {
+        bvh.any_beside(simd, rays, interval, known, c);
+    }
+
+    #[inline(always)]
+    fn purpose<'a>(interval: Interval, hit: &'a mut [Self], notes: &'a mut Notes) -> Blocked<'a> {
+        Blocked { interval, hit, notes }
+    }
+
+    #[inline(always)]
+    fn last(&self, max: f32) -> f32 {
+        if *self { f32::NEG_INFINITY } else { max }
+    }
+
+    #[inline(always)]
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        (block, len): (&TriangleBlock, usize),
+        last: f32,
+        job: &Job,
+        c: &mut Counters,
+    ) -> f32 {
+        *self |= job.any_of(simd, block, len, c);
+        if *self { f32::NEG_INFINITY } else { last }
+    }
+}

@@ -1,0 +1,210 @@
+//! What the rays of a bundle do at leaves. Where many reach one, a vector holds rays and the triangles
+//! come one after the other; where few do, a vector holds triangles and the rays come one after the other.
+
+use super::bundle::{Bundle, MOST, lanes_of, vector, vector_of};
+use super::packet::{Lanes, RAYS};
+use super::single::limits;
+use super::walk::Visit;
+use super::wide::{Bvh, Held, WideNode};
+use common::counters::Counters;
+use common::geometry::{Hit, hit_triangle};
+use common::math::Interval;
+use common::shape::ExactRay;
+use common::shape::triangle_block::{Faces, LANES, TriangleBlock};
+use common::shape::unfolded::Unfolded;
+use common::simd::{Select, Simd, SimdBase, SimdMask, f32x8};
+
+/// What is known of the rays of a bundle.
+pub struct Known<'a, 'g> {
+    /// The tree.
+    pub bvh: &'a Bvh<'g>,
+    /// The rays.
+    pub bundle: &'a Bundle<'a>,
+    /// By ray: hits later than this do not matter; known before the exact hit is.
+    pub last: Lanes<MOST>,
+    /// By ray: boxes that are entered later do not matter.
+    pub limits: Lanes<MOST>,
+}
+
+/// Some triangles of a block that rays are asked about.
+pub struct Leaf<'a> {
+    /// The number of the block.
+    pub index: usize,
+    /// The block.
+    pub block: &'a TriangleBlock,
+    /// So many of the first are in use.
+    pub len: usize,
+}
+
+impl Leaf<'_> {
+    /// The number of a triangle among all places of all blocks.
+    #[inline(always)]
+    pub fn triangle(&self, lane: usize) -> u32 {
+        (self.index * LANES + lane) as u32
+    }
+}
+
+/// What triangles of a leaf, a bit for each, do to a ray, or one triangle to rays, a bit for each.
+pub struct Found {
+    /// What surely is hit.
+    pub certain: u32,
+    /// What may be hit beside.
+    pub doubtful: u32,
+}
+
+/// What is looked for.
+pub trait Seek<'a, 'g: 'a> {
+    /// What is known.
+    fn known(&mut self) -> &mut Known<'a, 'g>;
+
+    /// Asks those rays of a vector that are `asked`, of which `at` is the first.
+    fn ask_vector<S: Simd>(
+        &mut self,
+        simd: S,
+        leaf: &Leaf,
+        unfolded: &Unfolded,
+        at: usize,
+        asked: u32,
+        c: &mut Counters,
+    );
+
+    /// Asks one ray.
+    fn ask_ray<S: Simd>(&mut self, simd: S, leaf: &Leaf, faces: &Faces<S>, ray: usize, c: &mut Counters);
+
+    /// Asks one ray about solids.
+    fn ask_solids<S: Simd>(&mut self, simd: S, held: Held, ray: usize, c: &mut Counters);
+
+    /// A bit for each ray that need not be asked any more.
+    fn settled(&self) -> u32;
+
+    /// Where the search may end after all this.
+    fn end<S: Simd>(&mut self, simd: S) -> f32;
+}
+
+/// Someone who seeks, on the way.
+pub struct Seeker<K>(pub K);
+
+impl<'a, 'g: 'a, S: Simd, K: Seek<'a, 'g>> Visit<S> for Seeker<K> {
+    #[inline(always)]
+    fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
+        let Known { bvh, bundle, limits, .. } = self.0.known();
+        let (bvh, bundle) = (*bvh, *bundle);
+        let rays = bundle.meeting(simd, node, child, limits) & !self.0.settled();
+        if rays == 0 {
+            return self.0.end(simd);
+        }
+        match node.child[child].held() {
+            Held::Block(index, len) => {
+                let leaf = Leaf { index, block: &bvh.blocks[index], len };
+                self.block(simd, &leaf, bundle.rays.len(), rays, c);
+            }
+            held => lanes_of(rays).for_each(|ray| self.0.ask_solids(simd, held, ray, c)),
+        }
+        self.0.end(simd)
+    }
+}
+
+impl<K> Seeker<K> {
+    #[inline(always)]
+    fn block<'a, 'g: 'a, S: Simd>(&mut self, simd: S, leaf: &Leaf, count: usize, rays: u32, c: &mut Counters)
+    where
+        K: Seek<'a, 'g>,
+    {
+        c.intersections += leaf.len as u64 * u64::from(rays.count_ones());
+        let faces = Faces::of(simd, leaf.block);
+        let mut unfolded = None;
+        for at in (0..count).step_by(S::f32s::LEN) {
+            let asked = rays >> at & every::<S>();
+            // Of fewer rays each is faster asked about eight triangles than all about each triangle.
+            if asked.count_ones() as usize >= S::f32s::LEN / 2 {
+                if unfolded.is_none() {
+                    unfolded = Some(Unfolded::from_faces(&faces));
+                }
+                if let Some(unfolded) = &unfolded {
+                    self.0.ask_vector(simd, leaf, unfolded, at, asked, c);
+                }
+                continue;
+            }
+            for lane in lanes_of(asked) {
+                self.0.ask_ray(simd, leaf, &faces, at + lane, c);
+            }
+        }
+    }
+}
+
+impl<'a, 'g> Known<'a, 'g> {
+    /// Where hits matter until `last`, no farther than the rays reach; to none that is not asked for.
+    #[inline(always)]
+    pub fn new<S: Simd>(simd: S, bvh: &'a Bvh<'g>, bundle: &'a Bundle<'a>, last: &Lanes<MOST>) -> Self {
+        let mut known = Self { bvh, bundle, last: *last, limits: [f32::NEG_INFINITY; MOST] };
+        for at in (0..bundle.rays.len()).step_by(S::f32s::LEN) {
+            let reach = vector(simd, &bundle.packet.reach, at);
+            vector(simd, last, at).min(reach).store_slice(vector_of::<S, _>(&mut known.last, at));
+            known.end_vector(simd, at, bundle.asked >> at & every::<S>());
+        }
+        known
+    }
+
+    /// Makes limits of those rays of a vector that have another last hit.
+    #[inline(always)]
+    pub fn end_vector<S: Simd>(&mut self, simd: S, at: usize, changed: u32) {
+        let (last, reach) = (vector(simd, &self.last, at), vector(simd, &self.bundle.packet.reach, at));
+        let limits = mask(simd, changed).select(limits(simd, last, reach), vector(simd, &self.limits, at));
+        limits.store_slice(vector_of::<S, _>(&mut self.limits, at));
+    }
+
+    /// Hits of one ray later than `last` do not matter from now on. Written as a vector, since it is read as one soon.
+    #[inline(always)]
+    pub fn end_ray<S: Simd>(&mut self, simd: S, ray: usize, last: f32) {
+        let at = ray / S::f32s::LEN * S::f32s::LEN;
+        let this = 1 << (ray - at);
+        let all = mask(simd, this).select(S::f32s::splat(simd, last), vector(simd, &self.last, at));
+        all.store_slice(vector_of::<S, _>(&mut self.last, at));
+        self.end_vector(simd, at, this);
+    }
+
+    /// The latest limit of all rays.
+    #[inline(always)]
+    pub fn greatest<S: Simd>(&self, simd: S) -> f32 {
+        let eight = |at: usize| f32x8::from_slice(simd, &self.limits[at..at + RAYS]);
+        let most = eight(0).max(eight(RAYS)).max(eight(2 * RAYS).max(eight(3 * RAYS)));
+        let (low, high) = simd.split_f32x8(most);
+        let [a, b, c, d] = *low.max(high);
+        a.max(b).max(c.max(d))
+    }
+
+    /// What one ray does to all triangles of a leaf, and where those that it surely hits are hit at the latest.
+    #[inline(always)]
+    pub fn judge<S: Simd>(&self, simd: S, leaf: &Leaf, faces: &Faces<S>, ray: usize) -> (Found, Lanes) {
+        let interval = Interval { min: self.bundle.interval.min, max: self.last[ray] };
+        let verdict = faces.judge(simd, &self.bundle.packet.filter(ray), interval);
+        let mut possible = verdict.possible & ((1 << leaf.len) - 1);
+        if possible != 0 {
+            possible &= !leaf.block.lanes_of(simd, self.bundle.rays[ray].home);
+        }
+        let certain = verdict.certain & possible;
+        (Found { certain, doubtful: possible & !certain }, verdict.latest)
+    }
+
+    /// Where a ray hits one triangle of a leaf, exactly. That is asked at once where the filter is in doubt:
+    /// a ray that might have hit nothing would keep all others going.
+    #[cold]
+    #[inline(never)]
+    pub fn decide_now(&self, leaf: &Leaf, lane: usize, ray: usize, c: &mut Counters) -> Option<Hit> {
+        c.exact_tests += 1;
+        let (exact, block) = (ExactRay::new(&self.bundle.rays[ray]), leaf.block);
+        hit_triangle(&block.vertices(lane), block.index[lane], &exact, self.bundle.interval)
+    }
+}
+
+/// The lanes of a vector that have a bit.
+#[inline(always)]
+pub fn mask<S: Simd>(simd: S, bits: u32) -> S::mask32s {
+    S::mask32s::from_bitmask(simd, u64::from(bits))
+}
+
+/// A bit for each lane of a vector.
+#[inline(always)]
+fn every<S: Simd>() -> u32 {
+    u32::MAX >> (u32::BITS as usize - S::f32s::LEN)
+}
