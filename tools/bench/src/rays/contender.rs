@@ -42,6 +42,12 @@ pub trait Contender: Sync {
         }
     }
 
+    /// The same while the clock runs: it stops when the hits are in memory, in whatever form the contender
+    /// gives them.
+    fn nearest_timed(&self, rays: &[Ray], reach: f32, answers: &mut [Answer]) {
+        self.nearest_batch(rays, reach, answers);
+    }
+
     /// Whether each of many rays hits anything; both slices have the same length.
     fn any_batch(&self, rays: &[Ray], reach: f32, answers: &mut [bool]) {
         for (ray, answer) in rays.iter().zip(answers) {

@@ -141,7 +141,7 @@ fn ask_once(contender: &dyn Contender, rays: &[Ray], reach: f32, question: Quest
             if question.any {
                 contender.any_batch(share, reach, &mut any[..share.len()]);
             } else {
-                contender.nearest_batch(share, reach, &mut nearest[..share.len()]);
+                contender.nearest_timed(share, reach, &mut nearest[..share.len()]);
             }
             black_box((&nearest, &any));
         }
