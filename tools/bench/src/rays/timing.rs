@@ -121,7 +121,9 @@ pub fn sample(rays: &[Ray], count: usize) -> Vec<Ray> {
     }
     let run = (count / 16).clamp(1, 1024);
     let runs = count / run;
-    (0..runs).flat_map(|i| rays[i * (rays.len() - run) / runs..][..run].iter().copied()).collect()
+    // Whole runs of the set: those of a camera are its rows then.
+    let start = |i: usize| i * rays.len() / runs / run * run;
+    (0..runs).flat_map(|i| rays[start(i)..][..run].iter().copied()).collect()
 }
 
 /// Processor seconds per thread. This thread is one of them: what a contender keeps for it from
