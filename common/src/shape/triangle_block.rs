@@ -105,6 +105,18 @@ impl TriangleBlock {
         held.simd_eq(u32x8::splat(simd, index)).to_bitmask() as u32
     }
 
+    /// A bit for each lane whose triangle is not on one side of all that is between `low` and `high` along a vector.
+    #[inline(always)]
+    pub fn reaching<S: Simd>(&self, simd: S, along: Vec3, low: f32, high: f32) -> u32 {
+        let along = splat(simd, along.to_array());
+        let (a, b) = (dot(self.corner(simd, 0), along), dot(self.corner(simd, 1), along));
+        let c = dot(self.corner(simd, 2), along);
+        let (least, most) = (a.min(b).min(c), a.max(b).max(c));
+        // Written so that NaN is not outside.
+        let outside = least.simd_gt(f32x8::splat(simd, high)) | most.simd_lt(f32x8::splat(simd, low));
+        !outside.to_bitmask() as u32
+    }
+
     /// The corners of one lane.
     #[inline]
     pub fn vertices(&self, lane: usize) -> [Vec3; 3] {

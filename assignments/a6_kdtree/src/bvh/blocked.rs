@@ -36,7 +36,7 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for AllBlocked<'a, 'g> {
     ) {
         let bundle = self.known.bundle;
         let (lines, last) = (bundle.lines(simd, at), vector(simd, &self.known.last, at));
-        for lane in 0..leaf.len {
+        for lane in lanes_of(leaf.triangles) {
             let Some(verdicts) = unfolded.judge(simd, &lines, lane, asked, last) else { continue };
             let possible = bundle.not_leaving(at, verdicts.possible, leaf.block.index[lane]);
             let mut hit = verdicts.certain & possible;

@@ -1,11 +1,12 @@
 //! Rays that run alongside each other through the tree together.
 
+use super::fan::Fan;
 use super::frustum::Frustum;
 use super::packet::{Lanes, Packet, RAYS};
 use super::walk::Way;
 use super::wide::{WIDTH, WideNode};
-use common::math::Interval;
 use common::math::lanes::Vectors;
+use common::math::{Bounds, Interval};
 use common::ray::Ray;
 use common::shape::unfolded::Rays;
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask};
@@ -21,6 +22,8 @@ pub struct Bundle<'p> {
     pub frustum: &'p Frustum,
     /// The rays themselves.
     pub rays: &'p [Ray],
+    /// What triangles must reach into to be met.
+    pub fan: Fan,
     /// Whether any leaves a primitive.
     pub leaving: bool,
     /// A bit for each that is asked for.
@@ -55,15 +58,18 @@ fn vectors<S: Simd>(simd: S, lanes: &[Lanes<MOST>; 3], at: usize) -> Vectors<S::
 impl<'p> Bundle<'p> {
     /// Of these rays.
     #[inline(always)]
-    pub fn new(
-        packet: &'p Packet<MOST>,
-        frustum: &'p Frustum,
+    pub fn new<S: Simd>(
+        simd: S,
+        (packet, frustum): (&'p Packet<MOST>, &'p Frustum),
         rays: &'p [Ray],
         asked: u32,
         interval: Interval,
+        bounds: &Bounds,
     ) -> Self {
         let leaving = rays.iter().fold(false, |some, ray| some | (ray.home != Ray::ANYWHERE));
-        Self { packet, frustum, rays, leaving, asked, interval }
+        let count = rays.len().next_multiple_of(RAYS);
+        let fan = Fan::around(simd, packet, count, interval.min < 0.0, bounds);
+        Self { packet, frustum, rays, fan, leaving, asked, interval }
     }
 }
 
@@ -144,7 +150,7 @@ impl<S: Simd> Way<S> for Bundle<'_> {
 
     #[inline(always)]
     fn meet(&self, simd: S, node: &WideNode, max: f32, enter: &mut [f32; WIDTH]) -> u32 {
-        self.frustum.meet(simd, node, self.interval.min, max, enter)
+        self.frustum.meet(simd, node, self.interval.min, max, enter) & self.fan.entering(simd, node)
     }
 }
 

@@ -98,7 +98,7 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for Firsts<'a, 'g> {
         let bundle = self.known.bundle;
         let lines = bundle.lines(simd, at);
         let (mut last, mut changed) = (vector(simd, &self.known.last, at), 0);
-        for lane in 0..leaf.len {
+        for lane in lanes_of(leaf.triangles) {
             let Some(verdicts) = unfolded.judge(simd, &lines, lane, asked, last) else { continue };
             let possible = bundle.not_leaving(at, verdicts.possible, leaf.block.index[lane]);
             let certain = verdicts.certain & possible;

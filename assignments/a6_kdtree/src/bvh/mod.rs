@@ -18,6 +18,7 @@ pub(crate) mod bundle;
 mod collapse;
 mod crowd;
 mod cull;
+mod fan;
 mod firsts;
 pub(crate) mod flow;
 mod frustum;

@@ -112,7 +112,7 @@ impl Bvh<'_> {
             asked &= !(u32::from(purpose.is_settled(first + lane)) << lane);
         }
         if asked != 0 {
-            let bundle = Bundle::new(&queue.many, &frustum, rays, asked, interval);
+            let bundle = Bundle::new(simd, (&queue.many, &frustum), rays, asked, interval, &self.bounds);
             purpose.bundle(simd, self, &bundle, first, c);
         }
         purpose.decide(simd, self, queue.rays, false, c);
@@ -155,7 +155,7 @@ impl Bvh<'_> {
         {
             queue.many.copy(&queue.packet);
             let (packet, asked) = (&queue.many, std::mem::take(&mut queue.asked));
-            let bundle = Bundle::new(packet, &frustum, rays, asked, interval);
+            let bundle = Bundle::new(simd, (packet, &frustum), rays, asked, interval, &self.bounds);
             return purpose.bundle(simd, self, &bundle, queue.first, c);
         }
         self.join(simd, queue);

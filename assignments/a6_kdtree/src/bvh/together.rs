@@ -32,8 +32,8 @@ pub struct Leaf<'a> {
     pub index: usize,
     /// The block.
     pub block: &'a TriangleBlock,
-    /// So many of the first are in use.
-    pub len: usize,
+    /// A bit for each that a ray may meet.
+    pub triangles: u32,
 }
 
 impl Leaf<'_> {
@@ -95,8 +95,13 @@ impl<'a, 'g: 'a, S: Simd, K: Seek<'a, 'g>> Visit<S> for Seeker<K> {
         }
         match node.child[child].held() {
             Held::Block(index, len) => {
-                let leaf = Leaf { index, block: &bvh.blocks[index], len };
-                self.block(simd, &leaf, bundle.rays.len(), rays, c);
+                c.intersections += len as u64 * u64::from(rays.count_ones());
+                let block = &bvh.blocks[index];
+                let triangles = bundle.fan.meeting(simd, block) & ((1 << len) - 1);
+                if triangles != 0 {
+                    let leaf = Leaf { index, block, triangles };
+                    self.block(simd, &leaf, bundle.rays.len(), rays, c);
+                }
             }
             held => lanes_of(rays).for_each(|ray| self.0.ask_solids(simd, held, ray, c)),
         }
@@ -110,7 +115,6 @@ impl<K> Seeker<K> {
     where
         K: Seek<'a, 'g>,
     {
-        c.intersections += leaf.len as u64 * u64::from(rays.count_ones());
         let faces = Faces::of(simd, leaf.block);
         let mut unfolded = None;
         for at in (0..count).step_by(S::f32s::LEN) {
@@ -178,7 +182,7 @@ impl<'a, 'g> Known<'a, 'g> {
     pub fn judge<S: Simd>(&self, simd: S, leaf: &Leaf, faces: &Faces<S>, ray: usize) -> (Found, Lanes) {
         let interval = Interval { min: self.bundle.interval.min, max: self.last[ray] };
         let verdict = faces.judge(simd, &self.bundle.packet.filter(ray), interval);
-        let mut possible = verdict.possible & ((1 << leaf.len) - 1);
+        let mut possible = verdict.possible & leaf.triangles;
         if possible != 0 {
             possible &= !leaf.block.lanes_of(simd, self.bundle.rays[ray].home);
         }
