@@ -3,7 +3,7 @@
 //! | shape | where | decided by |
 //! |---|---|---|
 //! | [`triangle`] | corners in world space, `f32` | sign-exact edge functions and a tie rule |
-//! | [`triangle_block`], [`filter`] | eight triangles at a time | knows what is surely missed and surely hit, decides nothing else |
+//! | [`triangle_block`], [`faces`], [`filter`] | eight triangles at a time | knows what is surely missed and surely hit, decides nothing else |
 //! | [`unfolded`] | the same for eight rays at a time | knows which lines surely pass outside |
 //! | [`sphere`] | centre and radius in world space, `f64` | the distance of closest approach |
 //! | [`ellipsoid`] | a sphere under a general affine map | the sphere test in its own space |
@@ -13,6 +13,7 @@
 //! functions of ray and shape, so every structure that asks them gets the same bits.
 
 pub mod ellipsoid;
+pub mod faces;
 pub mod filter;
 pub mod plane;
 pub mod sphere;

@@ -5,7 +5,8 @@
 //! ([`super::filter`]). Where nothing is left of most rays, only whether the line passes outside and
 //! whether it meets the plane before the ray begins is looked at.
 
-use super::triangle_block::{Faces, LANES, TriangleBlock, dot, extremes, minus, two_weights};
+use super::faces::{Faces, dot, extremes, minus, two_weights};
+use super::triangle_block::{LANES, TriangleBlock};
 use crate::math::lanes::{Stored, Vectors, store};
 use crate::simd::{Floats, Select, Simd, SimdBase, SimdMask};
 

@@ -7,7 +7,7 @@ use super::walk::walk;
 use super::wide::{Bvh, Held};
 use common::accel::Job;
 use common::counters::Counters;
-use common::shape::triangle_block::Faces;
+use common::shape::faces::Faces;
 use common::shape::unfolded::Unfolded;
 use common::simd::Simd;
 

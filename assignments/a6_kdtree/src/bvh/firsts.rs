@@ -10,7 +10,7 @@ use super::wide::{Bvh, Held};
 use common::accel::Job;
 use common::counters::Counters;
 use common::geometry::Hit;
-use common::shape::triangle_block::Faces;
+use common::shape::faces::Faces;
 use common::shape::unfolded::{Unfolded, Verdicts};
 use common::simd::{Select, Simd, SimdBase, SimdMask};
 

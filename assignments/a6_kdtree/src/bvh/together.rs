@@ -10,7 +10,8 @@ use common::counters::Counters;
 use common::geometry::{Hit, hit_triangle};
 use common::math::Interval;
 use common::shape::ExactRay;
-use common::shape::triangle_block::{Faces, LANES, TriangleBlock};
+use common::shape::faces::Faces;
+use common::shape::triangle_block::{LANES, TriangleBlock};
 use common::shape::unfolded::Unfolded;
 use common::simd::{Select, Simd, SimdBase, SimdMask, f32x8};
 
