@@ -8,7 +8,7 @@
 //!
 //! What bounds its errors is derived in [`super::filter`].
 
-use super::faces::{Faces, dot, splat};
+use super::faces::{Faces, Rays, dot, splat};
 use super::filter::Filter;
 use super::triangle::abreast::Corners;
 use crate::math::{Interval, Vec3};
@@ -139,15 +139,41 @@ impl TriangleBlock {
     /// What the filter says about every lane, whether in use or not, for `interval`.
     #[inline(always)]
     pub fn judge<S: Simd>(&self, simd: S, filter: &Filter, interval: Interval) -> Verdict {
-        Faces::of(simd, self).judge(simd, filter, interval)
+        judge(simd, &self.faces(simd), filter, interval)
+    }
+
+    /// What does not depend on the ray.
+    #[inline(always)]
+    pub fn faces<S: Simd>(&self, simd: S) -> Faces<f32x8<S>> {
+        Faces::new([self.corner(simd, 0), self.corner(simd, 1), self.corner(simd, 2)])
     }
 
     #[inline(always)]
-    pub(super) fn corner<S: Simd>(&self, simd: S, vertex: usize) -> [f32x8<S>; 3] {
+    fn corner<S: Simd>(&self, simd: S, vertex: usize) -> [f32x8<S>; 3] {
         [
             f32x8::from_slice(simd, &self.corner[vertex][0]),
             f32x8::from_slice(simd, &self.corner[vertex][1]),
             f32x8::from_slice(simd, &self.corner[vertex][2]),
         ]
     }
+}
+
+/// [`TriangleBlock::judge`] if the block's [faces](TriangleBlock::faces) are known.
+#[inline(always)]
+pub fn judge<S: Simd>(simd: S, faces: &Faces<f32x8<S>>, filter: &Filter, interval: Interval) -> Verdict {
+    let (min, max) = filter.clamp(interval);
+    let ray = Rays::everywhere(simd, filter, min);
+    let passages = faces.pass(simd, &ray);
+    let outside = passages.outside();
+    // Of most blocks nothing is left here.
+    if outside.to_bitmask() as u32 == (1 << LANES) - 1 {
+        return Verdict { possible: 0, certain: 0, latest: [0.0; LANES] };
+    }
+    let depths = faces.depths(simd, &ray, &passages);
+    let (after, between) = depths.after_and_between(f32x8::splat(simd, max));
+    let possible = !(outside | (depths.sure() & (depths.before_start() | after)));
+    let certain = passages.inside() & depths.sure() & between;
+    let mut latest = [0.0; LANES];
+    depths.latest().store_slice(&mut latest);
+    Verdict { possible: possible.to_bitmask() as u32, certain: certain.to_bitmask() as u32, latest }
 }

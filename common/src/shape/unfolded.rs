@@ -5,10 +5,10 @@
 //! ([`super::filter`]). Where nothing is left of most rays, only whether the line passes outside and
 //! whether it meets the plane before the ray begins is looked at.
 
-use super::faces::{Faces, dot, extremes, minus, two_weights};
-use super::triangle_block::{LANES, TriangleBlock};
+use super::faces::{Faces, Rays};
+use super::triangle_block::LANES;
 use crate::math::lanes::{Stored, Vectors, store};
-use crate::simd::{Floats, Select, Simd, SimdBase, SimdMask};
+use crate::simd::{Floats, Simd, SimdBase, SimdMask, f32x8};
 
 /// The triangles of a block with their edges and normals.
 pub struct Unfolded {
@@ -17,38 +17,6 @@ pub struct Unfolded {
     normal: Stored<f32>,
     /// Largest magnitude of a component of an edge.
     size: [f32; LANES],
-}
-
-/// Rays side by side, as many as a vector has lanes, prepared for triangles.
-pub struct Rays<V> {
-    origin: Vectors<V>,
-    direction: Vectors<V>,
-    /// As in [`Errors`](super::filter::Errors).
-    weight: V,
-    along: V,
-    depth: V,
-    floor: V,
-    /// Where hits begin to count.
-    min: V,
-}
-
-impl<V> Rays<V> {
-    /// Of these origins and directions, whose hits count from `min` on; `errors` are those of
-    /// [`Errors::abreast`](super::filter::Errors::abreast).
-    #[inline(always)]
-    pub fn new<S: Simd>(
-        simd: S,
-        [origin, direction]: [Vectors<V>; 2],
-        [reach, weight, along, depth, floor]: [V; 5],
-        min: f32,
-    ) -> Self
-    where
-        V: Floats<S>,
-    {
-        // No triangle is before that, and the product with it cannot overflow.
-        let min = V::splat(simd, min).max(-reach);
-        Self { origin, direction, weight, along, depth, floor, min }
-    }
 }
 
 /// What the filter says of rays and one triangle, a bit for each ray; see
@@ -64,29 +32,10 @@ pub struct Verdicts<V> {
     pub latest: V,
 }
 
-/// How lines pass a triangle.
-struct Passage<V> {
-    /// From the origins to the first corner.
-    from: Vectors<V>,
-    normal: Vectors<V>,
-    along: V,
-    /// Least and greatest weight.
-    low: V,
-    high: V,
-    /// How wrong they may be.
-    error: V,
-}
-
 impl Unfolded {
-    /// Of all lanes of a block.
+    /// Of eight triangles side by side.
     #[inline(always)]
-    pub fn of<S: Simd>(simd: S, block: &TriangleBlock) -> Self {
-        Self::from_faces(&Faces::of(simd, block))
-    }
-
-    /// The same if they are known.
-    #[inline(always)]
-    pub fn from_faces<S: Simd>(faces: &Faces<S>) -> Self {
+    pub fn of<S: Simd>(faces: &Faces<f32x8<S>>) -> Self {
         let Faces { corner, edges, normal, size } = *faces;
         let edges = [store(edges[0]), store(edges[1])];
         let mut unfolded = Self { corner: store(corner), edges, normal: store(normal), size: [0.0; LANES] };
@@ -94,15 +43,15 @@ impl Unfolded {
         unfolded
     }
 
+    /// One of them in all lanes.
     #[inline(always)]
-    fn pass<S: Simd, V: Floats<S>>(&self, simd: S, rays: &Rays<V>, lane: usize) -> Passage<V> {
-        let from = minus(of_lane(simd, &self.corner, lane), rays.origin);
-        let edges = [of_lane(simd, &self.edges[0], lane), of_lane(simd, &self.edges[1], lane)];
-        let normal = of_lane(simd, &self.normal, lane);
-        let along = dot(normal, rays.direction);
-        let (low, high) = extremes(simd, two_weights(from, rays.direction, edges), along);
-        let error = V::splat(simd, self.size[lane]).mul_add(rays.weight, rays.floor);
-        Passage { from, normal, along, low, high, error }
+    fn face<S: Simd, V: Floats<S>>(&self, simd: S, lane: usize) -> Faces<V> {
+        Faces {
+            corner: of_lane(simd, &self.corner, lane),
+            edges: [of_lane(simd, &self.edges[0], lane), of_lane(simd, &self.edges[1], lane)],
+            normal: of_lane(simd, &self.normal, lane),
+            size: V::splat(simd, self.size[lane]),
+        }
     }
 
     /// A bit for every ray that does not certainly pass all of the first `len` triangles by, nor
@@ -111,14 +60,10 @@ impl Unfolded {
     pub fn rays_meeting<S: Simd, V: Floats<S>>(&self, simd: S, rays: &Rays<V>, len: usize) -> u32 {
         let mut missed = (1 << V::LEN) - 1;
         for lane in 0..len.min(LANES) {
-            let Passage { from, normal, along, low, high, error } = self.pass(simd, rays, lane);
-            let outside = high.min(-low).simd_gt(error);
-            let (size, height) = (along.abs(), dot(normal, from));
-            let height = along.simd_lt(V::splat(simd, 0.0)).select(-height, height);
-            let area = V::splat(simd, self.size[lane] * self.size[lane]);
-            let sure = size.simd_gt(area.mul_add(rays.along, rays.floor));
-            let before = (size * rays.min - height).simd_gt(area.mul_add(rays.depth, rays.floor));
-            missed &= (outside | (sure & before)).to_bitmask() as u32;
+            let face = self.face(simd, lane);
+            let passages = face.pass(simd, rays);
+            let depths = face.depths(simd, rays, &passages);
+            missed &= (passages.outside() | (depths.sure() & depths.before_start())).to_bitmask() as u32;
         }
         // What was compared with NaN is not missed.
         !missed & ((1 << V::LEN) - 1)
@@ -135,32 +80,21 @@ impl Unfolded {
         asked: u32,
         last: V,
     ) -> Option<Verdicts<V>> {
-        let Passage { from, normal, along, low, high, error } = self.pass(simd, rays, lane);
-        let outside = high.min(-low).simd_gt(error);
+        let face = self.face(simd, lane);
+        let passages = face.pass(simd, rays);
+        let outside = passages.outside();
         if asked & !(outside.to_bitmask() as u32) == 0 {
             return None;
         }
-        let height = dot(normal, from);
-        let area = V::splat(simd, self.size[lane] * self.size[lane]);
-        let along_error = area.mul_add(rays.along, rays.floor);
-        let depth_error = area.mul_add(rays.depth, rays.floor);
-        let size = along.abs();
-        let height = along.simd_lt(V::splat(simd, 0.0)).select(-height, height);
-        let after_start = height - size * rays.min;
-        let before_end = size * last - height;
-        let sure = size.simd_gt(along_error);
-        let off = after_start.simd_lt(-depth_error) | before_end.simd_lt(-depth_error);
-        let missed = outside | (sure & off);
+        let depths = face.depths(simd, rays, &passages);
+        let (after, between) = depths.after_and_between(last);
+        let missed = outside | (depths.sure() & (depths.before_start() | after));
         let possible = asked & !(missed.to_bitmask() as u32);
         if possible == 0 {
             return None;
         }
-        let inside = low.max(-high).simd_gt(error);
-        let between = after_start.simd_gt(depth_error) & before_end.simd_gt(depth_error);
-        let certain = (inside & sure & between).to_bitmask() as u32 & possible;
-        let earliest = (height - depth_error) / (size + along_error);
-        let latest = (height + depth_error) / (size - along_error);
-        Some(Verdicts { possible, certain, earliest, latest })
+        let certain = (passages.inside() & depths.sure() & between).to_bitmask() as u32 & possible;
+        Some(Verdicts { possible, certain, earliest: depths.earliest(), latest: depths.latest() })
     }
 }
 

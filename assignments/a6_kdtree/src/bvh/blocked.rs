@@ -9,7 +9,7 @@ use common::accel::Job;
 use common::counters::Counters;
 use common::shape::faces::Faces;
 use common::shape::unfolded::Unfolded;
-use common::simd::Simd;
+use common::simd::{Simd, f32x8};
 
 struct AllBlocked<'a, 'g> {
     known: Known<'a, 'g>,
@@ -52,7 +52,14 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for AllBlocked<'a, 'g> {
     }
 
     #[inline(always)]
-    fn ask_ray<S: Simd>(&mut self, simd: S, leaf: &Leaf, faces: &Faces<S>, ray: usize, c: &mut Counters) {
+    fn ask_ray<S: Simd>(
+        &mut self,
+        simd: S,
+        leaf: &Leaf,
+        faces: &Faces<f32x8<S>>,
+        ray: usize,
+        c: &mut Counters,
+    ) {
         let (Found { certain, doubtful }, _) = self.known.judge(simd, leaf, faces, ray);
         let mut hit = certain != 0;
         for lane in lanes_of(doubtful) {

@@ -8,7 +8,7 @@ use super::wide::{WIDTH, WideNode};
 use common::math::lanes::Vectors;
 use common::math::{Bounds, Interval};
 use common::ray::Ray;
-use common::shape::unfolded::Rays;
+use common::shape::faces::Rays;
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask};
 
 /// Most rays of a bundle.

@@ -12,7 +12,7 @@ use common::counters::Counters;
 use common::geometry::Hit;
 use common::shape::faces::Faces;
 use common::shape::unfolded::{Unfolded, Verdicts};
-use common::simd::{Select, Simd, SimdBase, SimdMask};
+use common::simd::{Select, Simd, SimdBase, SimdMask, f32x8};
 
 struct Firsts<'a, 'g> {
     known: Known<'a, 'g>,
@@ -119,7 +119,14 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for Firsts<'a, 'g> {
     }
 
     #[inline(always)]
-    fn ask_ray<S: Simd>(&mut self, simd: S, leaf: &Leaf, faces: &Faces<S>, ray: usize, c: &mut Counters) {
+    fn ask_ray<S: Simd>(
+        &mut self,
+        simd: S,
+        leaf: &Leaf,
+        faces: &Faces<f32x8<S>>,
+        ray: usize,
+        c: &mut Counters,
+    ) {
         let (Found { certain, doubtful }, latest) = self.known.judge(simd, leaf, faces, ray);
         let (mut last, mut changed) = (self.known.last[ray], certain != 0);
         for lane in lanes_of(certain) {

@@ -142,7 +142,7 @@ pub fn reach<S: Simd>(
     c: &mut Counters,
 ) {
     let unfolded = match block {
-        Some((block, len)) if list.len() >= UNFOLD => Some((Unfolded::of(simd, block), len)),
+        Some((block, len)) if list.len() >= UNFOLD => Some((Unfolded::of(&block.faces(simd)), len)),
         _ => None,
     };
     for list in list.chunks(RAYS) {

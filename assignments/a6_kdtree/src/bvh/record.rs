@@ -4,8 +4,8 @@ use super::beam::Beam;
 use super::packet::RAYS;
 use super::single;
 use common::math::lanes::{Vectors, turn};
+use common::shape::faces::Rays;
 use common::shape::filter::{Errors, Filter};
-use common::shape::unfolded::Rays;
 use common::simd::{Simd, SimdBase, f32x4, f32x8};
 
 /// The quarters are loaded and stored at once.

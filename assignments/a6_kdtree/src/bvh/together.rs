@@ -11,7 +11,7 @@ use common::geometry::{Hit, hit_triangle};
 use common::math::Interval;
 use common::shape::ExactRay;
 use common::shape::faces::Faces;
-use common::shape::triangle_block::{LANES, TriangleBlock};
+use common::shape::triangle_block::{LANES, TriangleBlock, judge};
 use common::shape::unfolded::Unfolded;
 use common::simd::{Select, Simd, SimdBase, SimdMask, f32x8};
 
@@ -70,7 +70,14 @@ pub trait Seek<'a, 'g: 'a> {
     );
 
     /// Asks one ray.
-    fn ask_ray<S: Simd>(&mut self, simd: S, leaf: &Leaf, faces: &Faces<S>, ray: usize, c: &mut Counters);
+    fn ask_ray<S: Simd>(
+        &mut self,
+        simd: S,
+        leaf: &Leaf,
+        faces: &Faces<f32x8<S>>,
+        ray: usize,
+        c: &mut Counters,
+    );
 
     /// Asks one ray about solids.
     fn ask_solids<S: Simd>(&mut self, simd: S, held: Held, ray: usize, c: &mut Counters);
@@ -116,14 +123,14 @@ impl<K> Seeker<K> {
     where
         K: Seek<'a, 'g>,
     {
-        let faces = Faces::of(simd, leaf.block);
+        let faces = leaf.block.faces(simd);
         let mut unfolded = None;
         for at in (0..count).step_by(S::f32s::LEN) {
             let asked = rays >> at & every::<S>();
             // Of fewer rays each is faster asked about eight triangles than all about each triangle.
             if asked.count_ones() as usize >= S::f32s::LEN / 2 {
                 if unfolded.is_none() {
-                    unfolded = Some(Unfolded::from_faces(&faces));
+                    unfolded = Some(Unfolded::of(&faces));
                 }
                 if let Some(unfolded) = &unfolded {
                     self.0.ask_vector(simd, leaf, unfolded, at, asked, c);
@@ -180,9 +187,15 @@ impl<'a, 'g> Known<'a, 'g> {
 
     /// What one ray does to all triangles of a leaf, and where those that it surely hits are hit at the latest.
     #[inline(always)]
-    pub fn judge<S: Simd>(&self, simd: S, leaf: &Leaf, faces: &Faces<S>, ray: usize) -> (Found, Lanes) {
+    pub fn judge<S: Simd>(
+        &self,
+        simd: S,
+        leaf: &Leaf,
+        faces: &Faces<f32x8<S>>,
+        ray: usize,
+    ) -> (Found, Lanes) {
         let interval = Interval { min: self.bundle.interval.min, max: self.last[ray] };
-        let verdict = faces.judge(simd, &self.bundle.packet.filter(ray), interval);
+        let verdict = judge(simd, faces, &self.bundle.packet.filter(ray), interval);
         let mut possible = verdict.possible & leaf.triangles;
         if possible != 0 {
             possible &= !leaf.block.lanes_of(simd, self.bundle.rays[ray].home);

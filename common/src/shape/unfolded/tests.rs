@@ -6,6 +6,7 @@ use crate::ray::Ray;
 use crate::shape::ExactRay;
 use crate::shape::filter::{Errors, Filter};
 use crate::shape::triangle::intersect;
+use crate::shape::triangle_block::TriangleBlock;
 use crate::simd::{by_name, dispatch, f32x8};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -45,7 +46,7 @@ fn a6t2_what_is_not_met_by_eight_rays_is_possible_for_none() {
                     let [o, d] = Ray::columns(s, rays.each_ref());
                     let [far, step] = [&far, &step].map(|v| f32x8::from_slice(s, v));
                     let eight = Rays::new(s, [o, d], Errors::abreast(s, far, step), min);
-                    let bits = Unfolded::of(s, &block).rays_meeting(s, &eight, triangles.len());
+                    let bits = Unfolded::of(&block.faces(s)).rays_meeting(s, &eight, triangles.len());
                     (bits, filters.each_ref().map(|filter| block.judge(s, filter, interval)))
                 });
                 let used = (1 << triangles.len()) - 1;
@@ -96,7 +97,7 @@ fn a6t2_what_is_certain_for_rays_side_by_side_is_hit_in_time() {
                 let lines = Ray::columns(s, rays.each_ref());
                 let errors = Errors::abreast(s, f32x8::from_slice(s, &far), f32x8::from_slice(s, &step));
                 let eight = Rays::new(s, lines, errors, 0.0);
-                let verdicts = Unfolded::of(s, &block).judge(s, &eight, 0, 0x7f, f32x8::splat(s, end).min(errors[0]));
+                let verdicts = Unfolded::of(&block.faces(s)).judge(s, &eight, 0, 0x7f, f32x8::splat(s, end).min(errors[0]));
                 let t = verdicts.as_ref().map_or([[0.0; LANES]; 2], |v| [*v.earliest, *v.latest]);
                 (verdicts.map_or([0, 0], |v| [v.possible, v.certain]), t)
             });
