@@ -76,6 +76,36 @@ pub fn turn<S: Simd>(simd: S, [a, b, c, d]: [f32x4<S>; 4]) -> [f32x4<S>; 4] {
     [first, second, simd.zip_low_f32x4(even, odd), simd.zip_high_f32x4(even, odd)]
 }
 
+/// The least lane of each of four vectors. If there is one that is no number, what comes out means nothing.
+#[inline(always)]
+pub fn least<S: Simd>(simd: S, vectors: [f32x8<S>; 4]) -> [f32; 4] {
+    let [a, b, c, d] = halves(simd, vectors);
+    let [a, b, c, d] = turn(simd, [a.0.min(a.1), b.0.min(b.1), c.0.min(c.1), d.0.min(d.1)]);
+    *a.min(b).min(c.min(d))
+}
+
+/// The greatest.
+#[inline(always)]
+pub fn greatest<S: Simd>(simd: S, vectors: [f32x8<S>; 4]) -> [f32; 4] {
+    let [a, b, c, d] = halves(simd, vectors);
+    let [a, b, c, d] = turn(simd, [a.0.max(a.1), b.0.max(b.1), c.0.max(c.1), d.0.max(d.1)]);
+    *a.max(b).max(c.max(d))
+}
+
+/// Both halves of each of four vectors. Not by `map`, which would be a call of its own.
+#[inline(always)]
+fn halves<S: Simd>(simd: S, [a, b, c, d]: [f32x8<S>; 4]) -> [(f32x4<S>, f32x4<S>); 4] {
+    [simd.split_f32x8(a), simd.split_f32x8(b), simd.split_f32x8(c), simd.split_f32x8(d)]
+}
+
+/// The greatest lane of one vector.
+#[inline(always)]
+pub fn greatest_lane<S: Simd>(simd: S, v: f32x8<S>) -> f32 {
+    let (low, high) = simd.split_f32x8(v);
+    let [a, b, c, d] = *low.max(high);
+    a.max(b).max(c.max(d))
+}
+
 /// Sums.
 #[inline(always)]
 pub fn add<V: Copy + Add<Output = V>>(a: Vectors<V>, b: Vectors<V>) -> Vectors<V> {

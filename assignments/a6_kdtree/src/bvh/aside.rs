@@ -10,11 +10,11 @@ use super::packet::Lanes;
 use super::single::limits;
 use super::slabs::{ORDINARY, Slabs};
 use super::wide::{Bvh, WIDTH, WideNode};
-use common::math::lanes::{Vectors, each, turn};
+use common::math::lanes::{greatest, least};
 use common::math::{Bounds, Interval};
 use common::ray::Ray;
 use common::shape::filter::Errors;
-use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x4, f32x8};
+use common::simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// Rays that are asked about together. Fewer are in one place more often, and cost more questions.
 pub const CROWD: usize = 64;
@@ -52,7 +52,14 @@ impl Around {
                 *high = these.simd_gt(*high).select(these, *high);
             }
         }
-        Self { low: least(simd, low), high: least(simd, high.map(|v| each(v, |x| -x))).map(|x| -x) }
+        let [o, d] = low;
+        let ([a, b, c, e], [f, g, ..]) =
+            (least(simd, [o[0], o[1], o[2], d[0]]), least(simd, [d[1], d[2], d[2], d[2]]));
+        let low = [a, b, c, e, f, g];
+        let [o, d] = high;
+        let ([a, b, c, e], [f, g, ..]) =
+            (greatest(simd, [o[0], o[1], o[2], d[0]]), greatest(simd, [d[1], d[2], d[2], d[2]]));
+        Self { low, high: [a, b, c, e, f, g] }
     }
 
     /// Both ends of one of the six intervals.
@@ -60,25 +67,6 @@ impl Around {
     fn ends(&self, of: usize) -> [f64; 2] {
         [f64::from(self.low[of]), f64::from(self.high[of])]
     }
-}
-
-/// The least lane of each of six vectors.
-#[inline(always)]
-fn least<S: Simd>(simd: S, [o, d]: [Vectors<f32x8<S>>; 2]) -> [f32; 6] {
-    let ([a, b, c, e], [f, g, ..]) =
-        (halves(simd, [o[0], o[1], o[2], d[0]]), halves(simd, [d[1], d[2], d[2], d[2]]));
-    let ([a, b, c, e], [f, g, h, i]) = (turn(simd, [a, b, c, e]), turn(simd, [f, g, g, g]));
-    let ([x, y, z, u], [v, w, ..]) = (*a.min(b).min(c.min(e)), *f.min(g).min(h.min(i)));
-    [x, y, z, u, v, w]
-}
-
-/// Four numbers of each of four vectors, of which one is the least.
-#[inline(always)]
-fn halves<S: Simd>(simd: S, [a, b, c, d]: [f32x8<S>; 4]) -> [f32x4<S>; 4] {
-    // Not in a closure, which would be compiled for other instructions.
-    let ((a, e), (b, f)) = (simd.split_f32x8(a), simd.split_f32x8(b));
-    let ((c, g), (d, h)) = (simd.split_f32x8(c), simd.split_f32x8(d));
-    [a.min(e), b.min(f), c.min(g), d.min(h)]
 }
 
 /// Where t may be.

@@ -2,7 +2,7 @@
 
 use super::bundle::{Bundle, MOST, lanes_of, vector};
 use super::stack::Stack;
-use super::together::{Found, Known, Leaf, Seek, Seeker};
+use super::together::{Found, Journey, Leaf, Seek, Seeker};
 use super::walk::walk;
 use super::wide::{Bvh, Held};
 use common::accel::Job;
@@ -12,7 +12,7 @@ use common::shape::unfolded::Unfolded;
 use common::simd::{Simd, f32x8};
 
 struct AllBlocked<'a, 'g> {
-    known: Known<'a, 'g>,
+    journey: Journey<'a, 'g>,
     max: f32,
     /// A bit for each ray that hits something.
     hit: u32,
@@ -20,8 +20,8 @@ struct AllBlocked<'a, 'g> {
 
 impl<'a, 'g: 'a> Seek<'a, 'g> for AllBlocked<'a, 'g> {
     #[inline(always)]
-    fn known(&mut self) -> &mut Known<'a, 'g> {
-        &mut self.known
+    fn journey(&mut self) -> &mut Journey<'a, 'g> {
+        &mut self.journey
     }
 
     #[inline(always)]
@@ -34,14 +34,14 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for AllBlocked<'a, 'g> {
         mut asked: u32,
         c: &mut Counters,
     ) {
-        let bundle = self.known.bundle;
-        let (lines, last) = (bundle.lines(simd, at), vector(simd, &self.known.last, at));
+        let bundle = self.journey.bundle;
+        let (lines, last) = (bundle.lines(simd, at), vector(simd, &self.journey.last, at));
         for lane in lanes_of(leaf.triangles) {
             let Some(verdicts) = unfolded.judge(simd, &lines, lane, asked, last) else { continue };
             let possible = bundle.not_leaving(at, verdicts.possible, leaf.block.index[lane]);
             let mut hit = verdicts.certain & possible;
             for ray in lanes_of(possible & !hit) {
-                hit |= u32::from(self.known.decide_now(leaf, lane, at + ray, c).is_some()) << ray;
+                hit |= u32::from(self.journey.decide_now(leaf, lane, at + ray, c).is_some()) << ray;
             }
             self.hit |= hit << at;
             asked &= !hit;
@@ -60,19 +60,19 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for AllBlocked<'a, 'g> {
         ray: usize,
         c: &mut Counters,
     ) {
-        let (Found { certain, doubtful }, _) = self.known.judge(simd, leaf, faces, ray);
+        let (Found { certain, doubtful }, _) = self.journey.judge(simd, leaf, faces, ray);
         let mut hit = certain != 0;
         for lane in lanes_of(doubtful) {
-            hit = hit || self.known.decide_now(leaf, lane, ray, c).is_some();
+            hit = hit || self.journey.decide_now(leaf, lane, ray, c).is_some();
         }
         self.hit |= u32::from(hit) << ray;
     }
 
     #[inline(always)]
     fn ask_solids<S: Simd>(&mut self, simd: S, held: Held, ray: usize, c: &mut Counters) {
-        let Bundle { packet, rays, interval, .. } = *self.known.bundle;
+        let Bundle { packet, rays, interval, .. } = *self.journey.bundle;
         let job = Job { filter: &packet.filter(ray), ray: &rays[ray], interval };
-        self.hit |= u32::from(self.known.bvh.any_held(simd, held, &job, c)) << ray;
+        self.hit |= u32::from(self.journey.bvh.any_held(simd, held, &job, c)) << ray;
     }
 
     #[inline(always)]
@@ -82,7 +82,7 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for AllBlocked<'a, 'g> {
 
     #[inline(always)]
     fn end<S: Simd>(&mut self, _: S) -> f32 {
-        if self.hit == self.known.bundle.asked { f32::NEG_INFINITY } else { self.max }
+        if self.hit == self.journey.bundle.asked { f32::NEG_INFINITY } else { self.max }
     }
 }
 
@@ -96,9 +96,9 @@ impl Bvh<'_> {
         stack: &mut Stack,
         c: &mut Counters,
     ) -> u32 {
-        let known = Known::new(simd, self, bundle, &[bundle.interval.max; MOST]);
-        let max = known.greatest(simd);
-        let mut blocked = Seeker(AllBlocked { known, max, hit: 0 });
+        let journey = Journey::new(simd, self, bundle, &[bundle.interval.max; MOST]);
+        let max = journey.greatest(simd);
+        let mut blocked = Seeker(AllBlocked { journey, max, hit: 0 });
         walk(simd, (self, 0), stack, max, bundle, &mut blocked, c);
         blocked.0.hit
     }

@@ -123,25 +123,6 @@ impl Bundle<'_> {
     }
 }
 
-impl Packet<MOST> {
-    /// Puts eight rays in the first places.
-    #[inline(always)]
-    pub fn copy(&mut self, eight: &Packet) {
-        for axis in 0..3 {
-            self.origin[axis][..RAYS].copy_from_slice(&eight.origin[axis]);
-            self.direction[axis][..RAYS].copy_from_slice(&eight.direction[axis]);
-            self.inverse[axis][..RAYS].copy_from_slice(&eight.inverse[axis]);
-            self.near_offset[axis][..RAYS].copy_from_slice(&eight.near_offset[axis]);
-            self.far_offset[axis][..RAYS].copy_from_slice(&eight.far_offset[axis]);
-        }
-        self.reach[..RAYS].copy_from_slice(&eight.reach);
-        self.weight[..RAYS].copy_from_slice(&eight.weight);
-        self.along[..RAYS].copy_from_slice(&eight.along);
-        self.depth[..RAYS].copy_from_slice(&eight.depth);
-        self.floor[..RAYS].copy_from_slice(&eight.floor);
-    }
-}
-
 impl<S: Simd> Way<S> for Bundle<'_> {
     #[inline(always)]
     fn backward(&self) -> u32 {

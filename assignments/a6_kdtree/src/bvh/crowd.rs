@@ -29,20 +29,6 @@ impl Bvh<'_> {
         purpose: &mut impl Purpose,
         c: &mut Counters,
     ) {
-        self.follow_all(simd, rays, inlet, interval, purpose, c);
-        purpose.decide(simd, self, rays, true, c);
-    }
-
-    #[inline(always)]
-    fn follow_all<S: Simd>(
-        &self,
-        simd: S,
-        rays: &[Ray],
-        inlet: Option<Inlet>,
-        interval: Interval,
-        purpose: &mut impl Purpose,
-        c: &mut Counters,
-    ) {
         let mut queue = Queue::of(rays, inlet);
         if rays.len() < SLOTS {
             // Too few to hide behind each other.

@@ -8,6 +8,7 @@
 use super::bundle::MOST;
 use super::packet::{Packet, RAYS};
 use super::wide::WideNode;
+use common::math::lanes::greatest_lane;
 use common::math::{Bounds, Vec3};
 use common::shape::triangle_block::TriangleBlock;
 use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
@@ -38,7 +39,7 @@ impl Fan {
         };
         let normal = direction(0).cross(direction(count - 1));
         let of = |x: f32| f32x8::splat(simd, x);
-        let (zero, ahead, behind) = (of(0.0), of(1.0), of(if backward { -1.0 } else { 0.0 }));
+        let zero = of(0.0);
         let (mut low, mut high) = (of(f32::INFINITY), of(f32::NEG_INFINITY));
         let (mut size, mut sum) = (zero, zero);
         for at in (0..count).step_by(RAYS) {
@@ -53,7 +54,7 @@ impl Fan {
                 most = n.abs().mul_add(d.abs().mul_add(reach, o.abs()), most);
             }
             let way = speed * reach;
-            let (end, begin) = (way.mul_add(ahead, start), way.mul_add(behind, start));
+            let (end, begin) = (start + way, if backward { start - way } else { start });
             (low, high) = (low.min(end.min(begin)), high.max(end.max(begin)));
             (size, sum) = (size.max(most), sum + most);
         }
@@ -62,8 +63,9 @@ impl Fan {
             return Self { normal: Vec3::ZERO, low: -1.0, high: 1.0 };
         }
         let corner = bounds.min.abs().max(bounds.max.abs());
-        let room = ROUNDING * (normal.abs().dot(corner) + greatest(size)) + f32::MIN_POSITIVE;
-        Self { normal, low: -greatest(-low) - room, high: greatest(high) + room }
+        let room = ROUNDING * (normal.abs().dot(corner) + greatest_lane(simd, size)) + f32::MIN_POSITIVE;
+        let (low, high) = (-greatest_lane(simd, -low), greatest_lane(simd, high));
+        Self { normal, low: low - room, high: high + room }
     }
 
     /// A bit for each child of a node whose box one of the rays may meet.
@@ -86,12 +88,6 @@ impl Fan {
     pub fn meeting<S: Simd>(&self, simd: S, block: &TriangleBlock) -> u32 {
         block.reaching(simd, self.normal, self.low, self.high)
     }
-}
-
-#[inline(always)]
-fn greatest<S: Simd>(lanes: f32x8<S>) -> f32 {
-    let [a, b, c, d, e, f, g, h] = *lanes;
-    a.max(b).max(c.max(d)).max(e.max(f).max(g.max(h)))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::bundle::{Bundle, MOST, lanes_of, vector, vector_of};
 use super::packet::{Lanes, RAYS};
 use super::pending::{Candidate, Pending};
 use super::purpose::Notes;
-use super::together::{Found, Known, Leaf, Seek, Seeker, mask};
+use super::together::{Found, Journey, Leaf, Seek, Seeker, mask};
 use super::walk::walk;
 use super::wide::{Bvh, Held};
 use common::accel::Job;
@@ -14,8 +14,8 @@ use common::shape::faces::Faces;
 use common::shape::unfolded::{Unfolded, Verdicts};
 use common::simd::{Select, Simd, SimdBase, SimdMask, f32x8};
 
-struct Firsts<'a, 'g> {
-    known: Known<'a, 'g>,
+struct FirstHits<'a, 'g> {
+    journey: Journey<'a, 'g>,
     /// By ray.
     best: &'a mut [Option<Hit>],
     /// Number of the first ray.
@@ -32,7 +32,7 @@ struct Firsts<'a, 'g> {
     changed: bool,
 }
 
-impl Firsts<'_, '_> {
+impl FirstHits<'_, '_> {
     /// Puts down that a ray must ask a triangle.
     #[inline(always)]
     fn wait(&mut self, triangle: u32, ray: usize) {
@@ -68,8 +68,8 @@ impl Firsts<'_, '_> {
     /// Asks at once; whether the answer matters.
     #[inline(always)]
     fn decide_now(&mut self, leaf: &Leaf, lane: usize, ray: usize, c: &mut Counters) -> bool {
-        let Some(hit) = self.known.decide_now(leaf, lane, ray, c) else { return false };
-        let (best, last) = (&mut self.best[ray], &mut self.known.last[ray]);
+        let Some(hit) = self.journey.decide_now(leaf, lane, ray, c) else { return false };
+        let (best, last) = (&mut self.best[ray], &mut self.journey.last[ray]);
         if hit.precedes(best.as_ref()) {
             *best = Some(hit);
         }
@@ -79,10 +79,10 @@ impl Firsts<'_, '_> {
     }
 }
 
-impl<'a, 'g: 'a> Seek<'a, 'g> for Firsts<'a, 'g> {
+impl<'a, 'g: 'a> Seek<'a, 'g> for FirstHits<'a, 'g> {
     #[inline(always)]
-    fn known(&mut self) -> &mut Known<'a, 'g> {
-        &mut self.known
+    fn journey(&mut self) -> &mut Journey<'a, 'g> {
+        &mut self.journey
     }
 
     #[inline(always)]
@@ -95,9 +95,9 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for Firsts<'a, 'g> {
         asked: u32,
         c: &mut Counters,
     ) {
-        let bundle = self.known.bundle;
+        let bundle = self.journey.bundle;
         let lines = bundle.lines(simd, at);
-        let (mut last, mut changed) = (vector(simd, &self.known.last, at), 0);
+        let (mut last, mut changed) = (vector(simd, &self.journey.last, at), 0);
         for lane in lanes_of(leaf.triangles) {
             let Some(verdicts) = unfolded.judge(simd, &lines, lane, asked, last) else { continue };
             let possible = bundle.not_leaving(at, verdicts.possible, leaf.block.index[lane]);
@@ -106,15 +106,15 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for Firsts<'a, 'g> {
             last = mask(simd, certain).select(last.min(verdicts.latest), last);
             self.replace(simd, leaf.triangle(lane), at, &verdicts, certain);
             for ray in lanes_of(possible & !certain) {
-                last.store_slice(vector_of::<S, _>(&mut self.known.last, at));
+                last.store_slice(vector_of::<S, _>(&mut self.journey.last, at));
                 changed |= u32::from(self.decide_now(leaf, lane, at + ray, c)) << ray;
-                last = vector(simd, &self.known.last, at);
+                last = vector(simd, &self.journey.last, at);
             }
         }
         if changed != 0 {
             self.changed = true;
-            last.store_slice(vector_of::<S, _>(&mut self.known.last, at));
-            self.known.end_vector(simd, at, changed);
+            last.store_slice(vector_of::<S, _>(&mut self.journey.last, at));
+            self.journey.end_vector(simd, at, changed);
         }
     }
 
@@ -127,8 +127,8 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for Firsts<'a, 'g> {
         ray: usize,
         c: &mut Counters,
     ) {
-        let (Found { certain, doubtful }, latest) = self.known.judge(simd, leaf, faces, ray);
-        let (mut last, mut changed) = (self.known.last[ray], certain != 0);
+        let (Found { certain, doubtful }, latest) = self.journey.judge(simd, leaf, faces, ray);
+        let (mut last, mut changed) = (self.journey.last[ray], certain != 0);
         for lane in lanes_of(certain) {
             let latest = latest[lane % RAYS];
             last = if latest < last { latest } else { last };
@@ -136,23 +136,23 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for Firsts<'a, 'g> {
         }
         for lane in lanes_of(doubtful) {
             changed |= self.decide_now(leaf, lane, ray, c);
-            let t = self.known.last[ray];
+            let t = self.journey.last[ray];
             last = if t < last { t } else { last };
         }
         if changed {
             self.changed = true;
-            self.known.end_ray(simd, ray, last);
+            self.journey.end_ray(simd, ray, last);
         }
     }
 
     #[inline(always)]
     fn ask_solids<S: Simd>(&mut self, simd: S, held: Held, ray: usize, c: &mut Counters) {
-        let Bundle { packet, rays, interval, .. } = *self.known.bundle;
+        let Bundle { packet, rays, interval, .. } = *self.journey.bundle;
         let job = Job { filter: &packet.filter(ray), ray: &rays[ray], interval };
-        let (last, best) = (self.known.last[ray], &mut self.best[ray]);
-        let last = self.known.bvh.nearest_held(simd, held, &job, last, best, c);
+        let (last, best) = (self.journey.last[ray], &mut self.best[ray]);
+        let last = self.journey.bvh.nearest_held(simd, held, &job, last, best, c);
         self.changed = true;
-        self.known.end_ray(simd, ray, last);
+        self.journey.end_ray(simd, ray, last);
     }
 
     #[inline(always)]
@@ -163,7 +163,7 @@ impl<'a, 'g: 'a> Seek<'a, 'g> for Firsts<'a, 'g> {
     #[inline(always)]
     fn end<S: Simd>(&mut self, simd: S) -> f32 {
         if std::mem::take(&mut self.changed) {
-            self.max = self.known.greatest(simd);
+            self.max = self.journey.greatest(simd);
         }
         self.max
     }
@@ -185,10 +185,11 @@ impl Bvh<'_> {
         for (last, best) in last.iter_mut().zip(best.iter()) {
             *last = best.map_or(*last, |b| b.t);
         }
-        let known = Known::new(simd, self, bundle, &last);
-        let max = known.greatest(simd);
+        let journey = Journey::new(simd, self, bundle, &last);
+        let max = journey.greatest(simd);
         let (triangle, earliest) = ([0; MOST], [f32::INFINITY; MOST]);
-        let firsts = Firsts { known, best, first, pending, triangle, earliest, hit: 0, max, changed: false };
+        let firsts =
+            FirstHits { journey, best, first, pending, triangle, earliest, hit: 0, max, changed: false };
         let mut seeker = Seeker(firsts);
         walk(simd, (self, 0), stack, max, bundle, &mut seeker, c);
         for ray in lanes_of(seeker.0.hit) {

@@ -4,12 +4,13 @@
 //! Origins and inverse directions of the rays lie in intervals, so where they meet a side does
 //! too. A box that this interval passes by is passed by by every ray.
 
+use super::bundle::MOST;
 use super::packet::{EVERY, Lanes, Packet, RAYS};
 use super::wide::{WIDTH, WideNode};
-use common::math::lanes::{Vectors, turn};
+use common::math::lanes::{Vectors, greatest, least};
 use common::math::{Bounds, Vec3};
 use common::ray::Ray;
-use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x4, f32x8};
+use common::simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x8};
 
 /// Rays whose directions differ by more than this part of the direction are no bundle …
 const SPREAD: f32 = 0.1;
@@ -31,14 +32,9 @@ pub struct Frustum {
 }
 
 impl Frustum {
-    /// Encloses the rays of a full packet if they are a bundle worth it.
+    /// Encloses the first `count` rays of a packet, a multiple of eight, if they are a bundle worth it.
     #[inline(always)]
-    pub fn around<S: Simd, const N: usize>(
-        simd: S,
-        packet: &Packet<N>,
-        count: usize,
-        bounds: &Bounds,
-    ) -> Option<Self> {
+    pub fn around<S: Simd>(simd: S, packet: &Packet<MOST>, count: usize, bounds: &Bounds) -> Option<Self> {
         let every = u32::MAX >> (32 - count);
         let one_way = packet.backward.iter().all(|rays| rays & every == 0 || rays & every == every);
         if !one_way || packet.usable & packet.ordinary & every != every {
@@ -47,7 +43,7 @@ impl Frustum {
         let backward = packet.backward[0] & 1 | packet.backward[1] & 2 | packet.backward[2] & 4;
         let origin = ranges(simd, &packet.origin, count);
         let direction = ranges(simd, &packet.direction, count);
-        let (apart, step) = (bounds.size().max_element() * APART, greatest(&packet.direction, 0) * SPREAD);
+        let (apart, step) = (bounds.size().max_element() * APART, step(&packet.direction, 0) * SPREAD);
         let beside = |[low, high]: &[f32; 2], most: f32| high - low <= most;
         let bundle = origin.iter().all(|o| beside(o, apart)) && direction.iter().all(|d| beside(d, step));
         if !bundle {
@@ -118,9 +114,9 @@ pub fn go_one_way<S: Simd>(simd: S, direction: Vectors<f32x8<S>>) -> bool {
     (x == 0 || x == EVERY) && (y == 0 || y == EVERY) && (z == 0 || z == EVERY)
 }
 
-/// Whether the rays of a packet start near each other.
+/// Whether the first eight rays of a packet start near each other.
 #[inline(always)]
-pub fn starts_together<S: Simd>(simd: S, packet: &Packet, bounds: &Bounds) -> bool {
+pub fn starts_together<S: Simd>(simd: S, packet: &Packet<MOST>, bounds: &Bounds) -> bool {
     let apart = bounds.size().max_element() * APART;
     // Written so that NaN is not near.
     ranges(simd, &packet.origin, RAYS).iter().all(|[low, high]| high - low <= apart)
@@ -128,35 +124,29 @@ pub fn starts_together<S: Simd>(simd: S, packet: &Packet, bounds: &Bounds) -> bo
 
 /// The largest component of one ray's vector.
 #[inline(always)]
-fn greatest<const N: usize>(vectors: &[Lanes<N>; 3], lane: usize) -> f32 {
+fn step(vectors: &[Lanes<MOST>; 3], lane: usize) -> f32 {
     vectors[0][lane].abs().max(vectors[1][lane].abs()).max(vectors[2][lane].abs())
 }
 
-/// The least and the greatest of eight finite numbers or of several times eight, for each of three
-/// axes. What numbers that are not finite make of it means nothing.
+/// The least and the greatest of the first `count` numbers, a multiple of eight, for each of three axes. What
+/// numbers that are not finite make of it means nothing.
 #[inline(always)]
-fn ranges<S: Simd, const N: usize>(simd: S, lanes: &[Lanes<N>; 3], count: usize) -> [[f32; 2]; 3] {
+fn ranges<S: Simd>(simd: S, lanes: &[Lanes<MOST>; 3], count: usize) -> [[f32; 2]; 3] {
     // Not in a closure, which would be a call, and compiled for other instructions.
     let ((x, most_x), (y, most_y)) = (range(simd, &lanes[0], count), range(simd, &lanes[1], count));
     let (z, most_z) = range(simd, &lanes[2], count);
-    let (mut least, mut most) = ([0.0; 4], [0.0; 4]);
-    let [a, b, c, d] = turn(simd, [x, y, z, z]);
-    a.min(b).min(c.min(d)).store_slice(&mut least);
-    let [a, b, c, d] = turn(simd, [most_x, most_y, most_z, most_z]);
-    a.max(b).max(c.max(d)).store_slice(&mut most);
+    let (least, most) = (least(simd, [x, y, z, z]), greatest(simd, [most_x, most_y, most_z, most_z]));
     [[least[0], most[0]], [least[1], most[1]], [least[2], most[2]]]
 }
 
-/// Four numbers of which one is the least, and four of which one is the greatest.
+/// Eight numbers of which one is the least, and eight of which one is the greatest.
 #[inline(always)]
-fn range<S: Simd, const N: usize>(simd: S, lanes: &Lanes<N>, count: usize) -> (f32x4<S>, f32x4<S>) {
+fn range<S: Simd>(simd: S, lanes: &Lanes<MOST>, count: usize) -> (f32x8<S>, f32x8<S>) {
     let mut least = f32x8::from_slice(simd, &lanes[..RAYS]);
     let mut most = least;
     for at in (RAYS..count).step_by(RAYS) {
         let more = f32x8::from_slice(simd, &lanes[at..at + RAYS]);
         (least, most) = (least.min(more), most.max(more));
     }
-    let (low, high) = simd.split_f32x8(least);
-    let (most_low, most_high) = simd.split_f32x8(most);
-    (low.min(high), most_low.max(most_high))
+    (least, most)
 }

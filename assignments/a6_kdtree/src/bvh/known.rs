@@ -1,12 +1,14 @@
 //! What is known of a ray when the tree is asked.
 
+use super::abreast::{Firsts, RAYS};
+use super::beside::Eight;
 use super::purpose::{Blocked, Nearest, Notes, Purpose};
+use super::sheets;
 use super::wide::Bvh;
 use common::accel::Job;
 use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::Interval;
-use common::ray::Ray;
 use common::shape::triangle_block::TriangleBlock;
 use common::simd::Simd;
 
@@ -20,11 +22,11 @@ pub trait Known: Copy + PartialEq {
     where
         Self: 'a;
 
-    /// Finds out what is known of some rays when what stands beside the tree has been asked.
-    fn ask_beside<S: Simd>(
+    /// Asks what stands beside a tree about up to eight rays, and puts down what is known of them then.
+    fn beside_tree<S: Simd>(
         simd: S,
         bvh: &Bvh,
-        rays: &[Ray],
+        eight: &Eight,
         interval: Interval,
         known: &mut [Self],
         c: &mut Counters,
@@ -55,15 +57,23 @@ impl Known for Option<Hit> {
     type Purpose<'a> = Nearest<'a>;
 
     #[inline(always)]
-    fn ask_beside<S: Simd>(
+    fn beside_tree<S: Simd>(
         simd: S,
         bvh: &Bvh,
-        rays: &[Ray],
+        eight: &Eight,
         interval: Interval,
         known: &mut [Self],
         c: &mut Counters,
     ) {
-        bvh.nearest_beside(simd, rays, interval, known, c);
+        let of = (eight.rays, &eight.abreast);
+        let mut firsts = Firsts::NONE;
+        if eight.meet_sheets {
+            sheets::nearest(simd, bvh.geometry, of, interval, &mut firsts, c);
+        }
+        bvh.balls.nearest(simd, bvh.geometry, of, interval, &mut firsts, c);
+        for (lane, hit) in known.iter_mut().enumerate().take(RAYS) {
+            *hit = firsts.hit(lane);
+        }
     }
 
     #[inline(always)]
@@ -95,15 +105,21 @@ impl Known for bool {
     type Purpose<'a> = Blocked<'a>;
 
     #[inline(always)]
-    fn ask_beside<S: Simd>(
+    fn beside_tree<S: Simd>(
         simd: S,
         bvh: &Bvh,
-        rays: &[Ray],
+        eight: &Eight,
         interval: Interval,
         known: &mut [Self],
         c: &mut Counters,
     ) {
-        bvh.any_beside(simd, rays, interval, known, c);
+        let of = (eight.rays, &eight.abreast);
+        if eight.meet_sheets {
+            sheets::any(simd, bvh.geometry, of, interval, known, c);
+        } else {
+            known.fill(false);
+        }
+        bvh.balls.any(simd, bvh.geometry, of, interval, known, c);
     }
 
     #[inline(always)]

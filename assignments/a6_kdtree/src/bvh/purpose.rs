@@ -1,8 +1,7 @@
 //! What a crowd of rays is followed for: the first hit of each, or any.
 
-use super::bundle::Bundle;
+use super::bundle::{Bundle, MOST};
 use super::known::Known;
-use super::packet::RAYS;
 use super::pending::Pending;
 use super::single::Query;
 use super::stack::Stack;
@@ -26,7 +25,7 @@ pub trait Purpose {
     fn leaf<S: Simd>(&mut self, simd: S, bvh: &Bvh, held: Held, at: &At, c: &mut Counters) -> f32;
 
     /// Follows one ray all the way.
-    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters);
+    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<MOST>, ray: usize, c: &mut Counters);
 
     /// Follows rays from number `first` on, which run alongside each other. What is then pending may
     /// still be hit.
@@ -88,7 +87,7 @@ impl Purpose for Nearest<'_> {
     }
 
     #[inline(always)]
-    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters) {
+    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<MOST>, ray: usize, c: &mut Counters) {
         self.best[ray] = bvh.nearest_one(simd, query, &mut self.notes.stack, self.best[ray], c);
     }
 
@@ -137,7 +136,7 @@ impl Purpose for Blocked<'_> {
     }
 
     #[inline(always)]
-    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<RAYS>, ray: usize, c: &mut Counters) {
+    fn alone<S: Simd>(&mut self, simd: S, bvh: &Bvh, query: &Query<MOST>, ray: usize, c: &mut Counters) {
         self.hit[ray] = bvh.any_one(simd, query, &mut self.notes.stack, c);
     }
 

@@ -4,16 +4,16 @@ use super::abreast::columns;
 use super::bundle::{Bundle, MOST, lanes_of};
 use super::frustum::{Frustum, go_one_way, may_be_bundle, starts_together};
 use super::inlet::Inlet;
-use super::packet::{Packet, RAYS};
+use super::packet::{Lanes, Packet, RAYS};
 use super::purpose::Purpose;
 use super::single::Query;
 use super::slot::DEEPEST;
 use super::wide::Bvh;
 use common::counters::Counters;
 use common::math::Interval;
-use common::math::lanes::load;
+use common::math::lanes::Vectors;
 use common::ray::Ray;
-use common::simd::Simd;
+use common::simd::{Simd, SimdBase, f32x8};
 
 /// Nodes of a tree that the nearest cache holds beside all else.
 const FEW: usize = 8;
@@ -25,12 +25,10 @@ const BUNDLE: usize = 4;
 pub struct Queue<'a> {
     /// All rays.
     pub rays: &'a [Ray],
-    /// Those of a bundle.
-    many: Packet<MOST>,
     /// Those before this number are no large bundle.
     apart: usize,
-    /// Eight of them, prepared …
-    pub packet: Packet,
+    /// Those of a bundle, or eight of them, prepared …
+    pub packet: Packet<MOST>,
     /// … the first of which has this number …
     pub first: usize,
     /// … and those still to start, a bit for each.
@@ -44,16 +42,35 @@ pub struct Queue<'a> {
 impl<'a> Queue<'a> {
     /// Of all these.
     pub fn of(rays: &'a [Ray], inlet: Option<Inlet<'a>>) -> Self {
-        let (many, packet) = (Packet::EMPTY, Packet::EMPTY);
-        Self { rays, many, apart: 0, packet, first: 0, asked: 0, seen: 0, inlet }
+        Self { rays, apart: 0, packet: Packet::EMPTY, first: 0, asked: 0, seen: 0, inlet }
     }
+}
+
+/// A bit for each of some rays, the first of which has this number, that must be followed.
+#[inline(always)]
+fn unsettled(purpose: &impl Purpose, first: usize, count: usize) -> u32 {
+    let mut bits = 0;
+    for lane in 0..count {
+        bits |= u32::from(!purpose.is_settled(first + lane)) << lane;
+    }
+    bits
+}
+
+/// The first eight.
+#[inline(always)]
+fn eight<S: Simd>(simd: S, v: &[Lanes<MOST>; 3]) -> Vectors<f32x8<S>> {
+    [
+        f32x8::from_slice(simd, &v[0][..RAYS]),
+        f32x8::from_slice(simd, &v[1][..RAYS]),
+        f32x8::from_slice(simd, &v[2][..RAYS]),
+    ]
 }
 
 impl Bvh<'_> {
     /// Whether rays had better be followed one after the other. Those that start beside each
     /// other find what they need in the nearest cache, if all of the tree is in some cache.
     #[inline(always)]
-    fn is_alone_better<S: Simd>(&self, simd: S, packet: &Packet) -> bool {
+    fn is_alone_better<S: Simd>(&self, simd: S, packet: &Packet<MOST>) -> bool {
         self.depth > DEEPEST
             || self.nodes.len() <= FEW
             || !self.is_large() && starts_together(simd, packet, &self.bounds)
@@ -79,7 +96,7 @@ impl Bvh<'_> {
     fn join<S: Simd>(&self, simd: S, queue: &mut Queue) {
         let Queue { packet, first, seen, asked, inlet: Some(inlet), .. } = queue else { return };
         if inlet.pool.takes_all() || starts_together(simd, packet, &self.bounds) {
-            let all = [load(simd, &packet.origin), load(simd, &packet.direction)];
+            let all = [eight(simd, &packet.origin), eight(simd, &packet.direction)];
             *asked = inlet.pool.take(simd, all, *asked, &inlet.eight(*first, *seen - *first));
         }
     }
@@ -100,19 +117,16 @@ impl Bvh<'_> {
             return false;
         }
         for at in (0..MOST).step_by(RAYS) {
-            queue.many.put(simd, at, &rays[at..at + RAYS], &self.bounds);
+            queue.packet.put(simd, at, &rays[at..at + RAYS], &self.bounds);
         }
-        let Some(frustum) = Frustum::around(simd, &queue.many, MOST, &self.bounds) else {
+        let Some(frustum) = Frustum::around(simd, &queue.packet, MOST, &self.bounds) else {
             queue.apart = first + MOST;
             return false;
         };
         queue.seen = first + MOST;
-        let mut asked = u32::MAX;
-        for lane in 0..MOST {
-            asked &= !(u32::from(purpose.is_settled(first + lane)) << lane);
-        }
+        let asked = unsettled(purpose, first, MOST);
         if asked != 0 {
-            let bundle = Bundle::new(simd, (&queue.many, &frustum), rays, asked, interval, &self.bounds);
+            let bundle = Bundle::new(simd, (&queue.packet, &frustum), rays, asked, interval, &self.bounds);
             purpose.bundle(simd, self, &bundle, first, c);
         }
         purpose.decide(simd, self, queue.rays, false, c);
@@ -137,15 +151,12 @@ impl Bvh<'_> {
         }
         queue.seen = queue.rays.len().min(queue.first + RAYS);
         let rays = &queue.rays[queue.first..queue.seen];
-        queue.asked = (1 << rays.len()) - 1;
-        for lane in 0..rays.len() {
-            queue.asked &= !(u32::from(purpose.is_settled(queue.first + lane)) << lane);
-        }
+        queue.asked = unsettled(purpose, queue.first, rays.len());
         self.join_at_once(simd, queue);
         if queue.asked == 0 {
             return;
         }
-        queue.packet = Packet::of(simd, rays, &self.bounds);
+        queue.packet.put(simd, 0, rays, &self.bounds);
         queue.asked &= queue.packet.usable;
         if queue.asked == 0 {
             return;
@@ -153,9 +164,8 @@ impl Bvh<'_> {
         if rays.len() >= BUNDLE
             && let Some(frustum) = Frustum::around(simd, &queue.packet, RAYS, &self.bounds)
         {
-            queue.many.copy(&queue.packet);
-            let (packet, asked) = (&queue.many, std::mem::take(&mut queue.asked));
-            let bundle = Bundle::new(simd, (packet, &frustum), rays, asked, interval, &self.bounds);
+            let asked = std::mem::take(&mut queue.asked);
+            let bundle = Bundle::new(simd, (&queue.packet, &frustum), rays, asked, interval, &self.bounds);
             return purpose.bundle(simd, self, &bundle, queue.first, c);
         }
         self.join(simd, queue);

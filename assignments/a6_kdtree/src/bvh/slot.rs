@@ -1,6 +1,7 @@
 //! A ray under way, and what waits for it.
 
 use super::beam::Beam;
+use super::bundle::MOST;
 use super::packet::{Packet, first_child};
 use super::single::limit;
 use super::stack::Waiting;
@@ -56,7 +57,7 @@ impl Slot {
 
     /// Sends a ray of a packet to the root. Hits later than `last` do not matter.
     #[inline(always)]
-    pub fn start(&mut self, packet: &Packet, lane: usize, ray: usize, last: f32) {
+    pub fn start(&mut self, packet: &Packet<MOST>, lane: usize, ray: usize, last: f32) {
         self.beam = packet.beam(lane);
         self.margin = packet.margin(lane);
         self.filter = packet.filter(lane);

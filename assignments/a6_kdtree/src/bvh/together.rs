@@ -9,14 +9,15 @@ use super::wide::{Bvh, Held, WideNode};
 use common::counters::Counters;
 use common::geometry::{Hit, hit_triangle};
 use common::math::Interval;
+use common::math::lanes::greatest_lane;
 use common::shape::ExactRay;
 use common::shape::faces::Faces;
 use common::shape::triangle_block::{LANES, TriangleBlock, judge};
 use common::shape::unfolded::Unfolded;
 use common::simd::{Select, Simd, SimdBase, SimdMask, f32x8};
 
-/// What is known of the rays of a bundle.
-pub struct Known<'a, 'g> {
+/// A bundle on its way, and what is known of its rays.
+pub struct Journey<'a, 'g> {
     /// The tree.
     pub bvh: &'a Bvh<'g>,
     /// The rays.
@@ -55,8 +56,8 @@ pub struct Found {
 
 /// What is looked for.
 pub trait Seek<'a, 'g: 'a> {
-    /// What is known.
-    fn known(&mut self) -> &mut Known<'a, 'g>;
+    /// The bundle on its way.
+    fn journey(&mut self) -> &mut Journey<'a, 'g>;
 
     /// Asks those rays of a vector that are `asked`, of which `at` is the first.
     fn ask_vector<S: Simd>(
@@ -95,7 +96,7 @@ pub struct Seeker<K>(pub K);
 impl<'a, 'g: 'a, S: Simd, K: Seek<'a, 'g>> Visit<S> for Seeker<K> {
     #[inline(always)]
     fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
-        let Known { bvh, bundle, limits, .. } = self.0.known();
+        let Journey { bvh, bundle, limits, .. } = self.0.journey();
         let (bvh, bundle) = (*bvh, *bundle);
         let rays = bundle.meeting(simd, node, child, limits) & !self.0.settled();
         if rays == 0 {
@@ -144,17 +145,17 @@ impl<K> Seeker<K> {
     }
 }
 
-impl<'a, 'g> Known<'a, 'g> {
+impl<'a, 'g> Journey<'a, 'g> {
     /// Where hits matter until `last`, no farther than the rays reach; to none that is not asked for.
     #[inline(always)]
     pub fn new<S: Simd>(simd: S, bvh: &'a Bvh<'g>, bundle: &'a Bundle<'a>, last: &Lanes<MOST>) -> Self {
-        let mut known = Self { bvh, bundle, last: *last, limits: [f32::NEG_INFINITY; MOST] };
+        let mut journey = Self { bvh, bundle, last: *last, limits: [f32::NEG_INFINITY; MOST] };
         for at in (0..bundle.rays.len()).step_by(S::f32s::LEN) {
             let reach = vector(simd, &bundle.packet.reach, at);
-            vector(simd, last, at).min(reach).store_slice(vector_of::<S, _>(&mut known.last, at));
-            known.end_vector(simd, at, bundle.asked >> at & every::<S>());
+            vector(simd, last, at).min(reach).store_slice(vector_of::<S, _>(&mut journey.last, at));
+            journey.end_vector(simd, at, bundle.asked >> at & every::<S>());
         }
-        known
+        journey
     }
 
     /// Makes limits of those rays of a vector that have another last hit.
@@ -180,9 +181,7 @@ impl<'a, 'g> Known<'a, 'g> {
     pub fn greatest<S: Simd>(&self, simd: S) -> f32 {
         let eight = |at: usize| f32x8::from_slice(simd, &self.limits[at..at + RAYS]);
         let most = eight(0).max(eight(RAYS)).max(eight(2 * RAYS).max(eight(3 * RAYS)));
-        let (low, high) = simd.split_f32x8(most);
-        let [a, b, c, d] = *low.max(high);
-        a.max(b).max(c.max(d))
+        greatest_lane(simd, most)
     }
 
     /// What one ray does to all triangles of a leaf, and where those that it surely hits are hit at the latest.

@@ -4,7 +4,7 @@ use super::inlet::Inlet;
 use super::known::Known;
 use super::packet::Packet;
 use super::pool::Pool;
-use super::purpose::Notes;
+use super::purpose::{Notes, Purpose};
 use super::single::Query;
 use super::stack::Stack;
 use super::stream::MANY;
@@ -84,7 +84,7 @@ impl Bvh<'_> {
     ) {
         let first = part.start;
         let Desk { notes, pool } = desk;
-        T::ask_beside(simd, self, &rays[part.clone()], interval, &mut known[part.clone()], c);
+        self.ask_beside(simd, &rays[part.clone()], interval, &mut known[part.clone()], c);
         if self.nodes.is_empty() {
             return;
         }
@@ -96,7 +96,9 @@ impl Bvh<'_> {
             #[inline(always)]
             |rays, known, numbers, c| {
                 let inlet = pool.as_mut().map(|pool| Inlet { pool, first, numbers });
-                self.follow(simd, rays, inlet, interval, &mut T::purpose(interval, known, notes), c);
+                let purpose = &mut T::purpose(interval, known, notes);
+                self.follow(simd, rays, inlet, interval, purpose, c);
+                purpose.decide(simd, self, rays, true, c);
             },
             c,
         );
