@@ -6,9 +6,10 @@
 //! for one, step by step, so that each has the bits that it would have alone ([`crate::math::lanes`]).
 
 pub use fearless_simd::{
-    Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f32x4, f32x8, f64x4, f64x8, i32x4, i32x8,
-    mask32x8, mask64x4, u32x8,
+    Bytes, Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch, f32x4, f32x8, f64x4, f64x8, i32x4,
+    i32x8, mask32x8, mask64x4, u32x8,
 };
+use std::ops::Range;
 use std::sync::OnceLock;
 
 /// Vectors of single precision, of whatever width.
@@ -21,6 +22,17 @@ impl<S: Simd, V: SimdFloat<S, Element = f32>> Floats<S> for V {}
 pub fn prefetch<T>(array: &[T]) {
     prefetch_index::prefetch_index(array, 0);
 }
+
+/// The same for all in which some entries of an array begin; those that do not exist are passed over.
+#[inline(always)]
+pub fn prefetch_all<T>(array: &[T], entries: Range<usize>) {
+    for entry in (entries.start..array.len().min(entries.end)).step_by((CACHE_LINE / size_of::<T>()).max(1)) {
+        prefetch_index::prefetch_index(array, entry);
+    }
+}
+
+/// Bytes.
+const CACHE_LINE: usize = 64;
 
 static LEVEL: OnceLock<Level> = OnceLock::new();
 

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | [`triangle`] | corners in world space, `f32` | sign-exact edge functions and a tie rule |
 //! | [`triangle_block`], [`faces`], [`filter`] | eight triangles at a time | knows what is surely missed and surely hit, decides nothing else |
+//! | [`gathered`] | eight of them from any blocks | puts them side by side for the exact test |
 //! | [`unfolded`] | the same for eight rays at a time | knows which lines surely pass outside |
 //! | [`sphere`] | centre and radius in world space, `f64` | the distance of closest approach |
 //! | [`ellipsoid`] | a sphere under a general affine map | the sphere test in its own space |
@@ -15,6 +16,7 @@
 pub mod ellipsoid;
 pub mod faces;
 pub mod filter;
+pub mod gathered;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;

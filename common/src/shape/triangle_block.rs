@@ -11,6 +11,7 @@
 use super::faces::{Faces, Rays, dot, splat};
 use super::filter::Filter;
 use super::triangle::abreast::Corners;
+use crate::math::lanes::Vectors;
 use crate::math::{Interval, Vec3};
 use crate::simd::{self, Simd, SimdBase, SimdMask, f32x8, u32x8};
 
@@ -145,11 +146,17 @@ impl TriangleBlock {
     /// What does not depend on the ray.
     #[inline(always)]
     pub fn faces<S: Simd>(&self, simd: S) -> Faces<f32x8<S>> {
-        Faces::new([self.corner(simd, 0), self.corner(simd, 1), self.corner(simd, 2)])
+        Faces::new(self.corners(simd))
+    }
+
+    /// The corners of all lanes.
+    #[inline(always)]
+    pub fn corners<S: Simd>(&self, simd: S) -> [Vectors<f32x8<S>>; 3] {
+        [self.corner(simd, 0), self.corner(simd, 1), self.corner(simd, 2)]
     }
 
     #[inline(always)]
-    fn corner<S: Simd>(&self, simd: S, vertex: usize) -> [f32x8<S>; 3] {
+    fn corner<S: Simd>(&self, simd: S, vertex: usize) -> Vectors<f32x8<S>> {
         [
             f32x8::from_slice(simd, &self.corner[vertex][0]),
             f32x8::from_slice(simd, &self.corner[vertex][1]),

@@ -2,7 +2,7 @@
 
 use super::bundle::{Bundle, MOST, lanes_of, vector, vector_of};
 use super::packet::{Lanes, RAYS};
-use super::pending::{Candidate, Pending};
+use super::pending::Pending;
 use super::purpose::Notes;
 use super::together::{Found, Journey, Leaf, Seek, Seeker, mask};
 use super::walk::walk;
@@ -36,7 +36,7 @@ impl FirstHits<'_, '_> {
     /// Puts down that a ray must ask a triangle.
     #[inline(always)]
     fn wait(&mut self, triangle: u32, ray: usize) {
-        self.pending.push(Candidate { ray: (self.first + ray) as u32, triangle });
+        self.pending.push(self.first + ray, triangle);
     }
 
     /// Takes a triangle that rays of a vector surely hit for the first, if it is that or in doubt. What was

@@ -2,7 +2,7 @@
 
 use super::abreast::{Firsts, RAYS};
 use super::beside::Eight;
-use super::purpose::{Blocked, Nearest, Notes, Purpose};
+use super::purpose::{Ahead, Blocked, Nearest, Notes, Purpose};
 use super::sheets;
 use super::wide::Bvh;
 use common::accel::Job;
@@ -33,7 +33,12 @@ pub trait Known: Copy + PartialEq {
     );
 
     /// Finds out the rest of some rays.
-    fn purpose<'a>(interval: Interval, known: &'a mut [Self], notes: &'a mut Notes) -> Self::Purpose<'a>;
+    fn purpose<'a>(
+        interval: Interval,
+        known: &'a mut [Self],
+        notes: &'a mut Notes,
+        ahead: Ahead<'a, Self>,
+    ) -> Self::Purpose<'a>;
 
     /// What the tree holds after this t does not matter; −∞ if nothing does. `max` is where the
     /// interval ends.
@@ -77,8 +82,13 @@ impl Known for Option<Hit> {
     }
 
     #[inline(always)]
-    fn purpose<'a>(interval: Interval, best: &'a mut [Self], notes: &'a mut Notes) -> Nearest<'a> {
-        Nearest { interval, best, notes }
+    fn purpose<'a>(
+        interval: Interval,
+        best: &'a mut [Self],
+        notes: &'a mut Notes,
+        ahead: Ahead<'a, Self>,
+    ) -> Nearest<'a> {
+        Nearest { interval, best, notes, ahead }
     }
 
     #[inline(always)]
@@ -123,8 +133,13 @@ impl Known for bool {
     }
 
     #[inline(always)]
-    fn purpose<'a>(interval: Interval, hit: &'a mut [Self], notes: &'a mut Notes) -> Blocked<'a> {
-        Blocked { interval, hit, notes }
+    fn purpose<'a>(
+        interval: Interval,
+        hit: &'a mut [Self],
+        notes: &'a mut Notes,
+        ahead: Ahead<'a, Self>,
+    ) -> Blocked<'a> {
+        Blocked { interval, hit, notes, ahead }
     }
 
     #[inline(always)]

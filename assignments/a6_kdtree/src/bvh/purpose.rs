@@ -11,7 +11,7 @@ use common::counters::Counters;
 use common::geometry::Hit;
 use common::math::Interval;
 use common::ray::Ray;
-use common::simd::Simd;
+use common::simd::{Simd, prefetch_all};
 
 /// What rays are followed for.
 pub trait Purpose {
@@ -31,6 +31,9 @@ pub trait Purpose {
     /// still be hit.
     fn bundle<S: Simd>(&mut self, simd: S, bvh: &Bvh, bundle: &Bundle, first: usize, c: &mut Counters);
 
+    /// Asks the memory for as many rays of those that come after all these, as far behind the first of them as `first`.
+    fn look_ahead(&self, first: usize, count: usize);
+
     /// Decides what is pending if that is much or all is over.
     fn decide<S: Simd>(&mut self, simd: S, bvh: &Bvh, rays: &[Ray], is_over: bool, c: &mut Counters);
 }
@@ -47,6 +50,27 @@ impl Notes {
     /// Nothing.
     pub fn new() -> Self {
         Self { stack: Stack::new(), pending: Pending::default() }
+    }
+}
+
+/// Rays that come after those at hand, and where what is known of them is going to be.
+#[derive(Clone, Copy)]
+pub struct Ahead<'a, T> {
+    /// The rays.
+    pub rays: &'a [Ray],
+    /// What is known of each.
+    pub known: &'a [T],
+}
+
+impl<T> Ahead<'_, T> {
+    /// There are none.
+    pub const NOTHING: Self = Self { rays: &[], known: &[] };
+
+    /// Asks the memory for some of them, without waiting.
+    #[inline(always)]
+    fn prefetch(&self, first: usize, count: usize) {
+        prefetch_all(self.rays, first..first + count);
+        prefetch_all(self.known, first..first + count);
     }
 }
 
@@ -68,6 +92,8 @@ pub struct Nearest<'a> {
     pub best: &'a mut [Option<Hit>],
     /// For rays that are not followed in slots.
     pub notes: &'a mut Notes,
+    /// The rays that come next.
+    pub ahead: Ahead<'a, Option<Hit>>,
 }
 
 impl Purpose for Nearest<'_> {
@@ -98,9 +124,14 @@ impl Purpose for Nearest<'_> {
     }
 
     #[inline(always)]
+    fn look_ahead(&self, first: usize, count: usize) {
+        self.ahead.prefetch(first, count);
+    }
+
+    #[inline(always)]
     fn decide<S: Simd>(&mut self, simd: S, bvh: &Bvh, rays: &[Ray], is_over: bool, c: &mut Counters) {
         if is_over || self.notes.pending.are_enough() {
-            self.notes.pending.decide(simd, bvh, rays, self.interval, self.best, c);
+            self.notes.pending.decide(simd, (bvh, rays), (self.interval, is_over), self.best, c);
         }
     }
 }
@@ -113,6 +144,8 @@ pub struct Blocked<'a> {
     pub hit: &'a mut [bool],
     /// For rays that are not followed in slots.
     pub notes: &'a mut Notes,
+    /// The rays that come next.
+    pub ahead: Ahead<'a, bool>,
 }
 
 impl Purpose for Blocked<'_> {
@@ -146,6 +179,11 @@ impl Purpose for Blocked<'_> {
         for (lane, hit) in self.hit[first..first + bundle.rays.len()].iter_mut().enumerate() {
             *hit |= bits >> lane & 1 == 1;
         }
+    }
+
+    #[inline(always)]
+    fn look_ahead(&self, first: usize, count: usize) {
+        self.ahead.prefetch(first, count);
     }
 
     #[inline(always)]

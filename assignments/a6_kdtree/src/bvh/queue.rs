@@ -116,6 +116,7 @@ impl Bvh<'_> {
         if first < queue.apart || !may_be_bundle(&rays[0], &rays[MOST - 1], &self.bounds) {
             return false;
         }
+        purpose.look_ahead(first, MOST);
         for at in (0..MOST).step_by(RAYS) {
             queue.packet.put(simd, at, &rays[at..at + RAYS], &self.bounds);
         }

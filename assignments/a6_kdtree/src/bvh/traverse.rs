@@ -4,7 +4,7 @@ use super::inlet::Inlet;
 use super::known::Known;
 use super::packet::Packet;
 use super::pool::Pool;
-use super::purpose::{Notes, Purpose};
+use super::purpose::{Ahead, Notes, Purpose};
 use super::single::Query;
 use super::stack::Stack;
 use super::stream::MANY;
@@ -60,7 +60,7 @@ impl Bvh<'_> {
             if let Some(pool) = desk.pool.as_mut().filter(|pool| pool.is_full() || is_last) {
                 pool.let_flow(rays, interval.max, (known, self.stands_alone()), |stream, known| {
                     dispatch!(simd::level(), s => {
-                        let purpose = &mut T::purpose(interval, known, &mut desk.notes);
+                        let purpose = &mut T::purpose(interval, known, &mut desk.notes, Ahead::NOTHING);
                         self.flow(s, stream, interval, purpose, c);
                     });
                 });
@@ -84,19 +84,21 @@ impl Bvh<'_> {
     ) {
         let first = part.start;
         let Desk { notes, pool } = desk;
-        self.ask_beside(simd, &rays[part.clone()], interval, &mut known[part.clone()], c);
+        let (known, after) = known.split_at_mut(part.end);
+        let (known, ahead) = (&mut known[part.clone()], Ahead { rays: &rays[part.end..], known: after });
+        self.ask_beside(simd, &rays[part.clone()], interval, known, c);
         if self.nodes.is_empty() {
             return;
         }
         self.ask_for(
             simd,
-            &rays[part.clone()],
+            &rays[part],
             interval,
-            &mut known[part],
+            known,
             #[inline(always)]
             |rays, known, numbers, c| {
                 let inlet = pool.as_mut().map(|pool| Inlet { pool, first, numbers });
-                let purpose = &mut T::purpose(interval, known, notes);
+                let purpose = &mut T::purpose(interval, known, notes, ahead);
                 self.follow(simd, rays, inlet, interval, purpose, c);
                 purpose.decide(simd, self, rays, true, c);
             },

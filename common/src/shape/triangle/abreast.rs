@@ -6,7 +6,7 @@
 use super::{EDGE_ERROR, TriangleHit};
 use crate::math::UNIT_ROUNDOFF;
 use crate::math::lanes::{
-    LANES, Stored, Vectors, load, magnitudes, max_element, multiply, narrow, subtract, sum3, widen,
+    LANES, Stored, Vectors, magnitudes, max_element, multiply, narrow, subtract, sum3, widen,
 };
 use crate::ray::Ray;
 use crate::simd::{Simd, SimdBase, SimdMask, f32x8, f64x8};
@@ -37,12 +37,12 @@ impl Passages {
 
 /// How usable rays pass triangles.
 #[inline(always)]
-pub fn intersect_eight<S: Simd>(simd: S, rays: [&Ray; LANES], corners: &Corners) -> Passages {
+pub fn intersect_eight<S: Simd>(simd: S, rays: [&Ray; LANES], corners: [Vectors<f32x8<S>>; 3]) -> Passages {
     let [origin, direction] = Ray::columns(simd, rays);
     let (origin, direction) = (widen_all(simd, origin), widen_all(simd, direction));
-    let a = subtract(widen_all(simd, load(simd, &corners[0])), origin);
-    let b = subtract(widen_all(simd, load(simd, &corners[1])), origin);
-    let c = subtract(widen_all(simd, load(simd, &corners[2])), origin);
+    let a = subtract(widen_all(simd, corners[0]), origin);
+    let b = subtract(widen_all(simd, corners[1]), origin);
+    let c = subtract(widen_all(simd, corners[2]), origin);
 
     let weights = [edge(direction, b, c), edge(direction, c, a), edge(direction, a, b)];
     let corner_reach =

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::math::Vec3;
+use crate::math::lanes::load;
 use crate::shape::ExactRay;
 use crate::shape::triangle::{TriangleHit, intersect};
 use crate::simd::{by_name, dispatch};
@@ -35,11 +36,13 @@ fn a6t2_what_is_decided_for_eight_has_the_bits_of_one() {
                 if raster && towards != Vec3::ZERO { towards } else { towards * 0.3 + Vec3::splat(1e-3) },
             )
         });
-        let corners = std::array::from_fn(|corner| {
+        let corners: Corners = std::array::from_fn(|corner| {
             std::array::from_fn(|axis| std::array::from_fn(|lane| triangles[lane][corner][axis]))
         });
         for level in ["baseline", "sse4", "avx2", "avx512"].into_iter().filter_map(by_name) {
-            let eight = dispatch!(level, s => intersect_eight(s, rays.each_ref(), &corners));
+            let eight = dispatch!(level, s => {
+                intersect_eight(s, rays.each_ref(), corners.each_ref().map(|v| load(s, v)))
+            });
             for (lane, ray) in rays.iter().enumerate().filter(|(_, ray)| ray.is_usable()) {
                 all += 1;
                 if eight.decided >> lane & 1 == 0 {
