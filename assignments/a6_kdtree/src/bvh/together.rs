@@ -128,8 +128,8 @@ impl<K> Seeker<K> {
         let mut unfolded = None;
         for at in (0..count).step_by(S::f32s::LEN) {
             let asked = rays >> at & every::<S>();
-            // Of fewer rays each is faster asked about eight triangles than all about each triangle.
-            if asked.count_ones() as usize >= S::f32s::LEN / 2 {
+            // Each triangle is asked about all rays, or each ray about all triangles: what takes fewer steps.
+            if asked.count_ones() > leaf.triangles.count_ones() {
                 if unfolded.is_none() {
                     unfolded = Some(Unfolded::of(&faces));
                 }
