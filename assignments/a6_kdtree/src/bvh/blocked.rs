@@ -19,6 +19,8 @@ struct AllBlocked<'a, 'g> {
 }
 
 impl<'a, 'g: 'a> Seek<'a, 'g> for AllBlocked<'a, 'g> {
+    const BY_DISTANCE: bool = false;
+
     #[inline(always)]
     fn journey(&mut self) -> &mut Journey<'a, 'g> {
         &mut self.journey

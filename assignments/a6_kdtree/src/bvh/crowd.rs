@@ -20,13 +20,13 @@ use common::simd::Simd;
 impl Bvh<'_> {
     /// Follows all rays but those that it puts into a stream, if there is one.
     #[inline(always)]
-    pub(super) fn follow<S: Simd>(
+    pub(super) fn follow<S: Simd, P: Purpose>(
         &self,
         simd: S,
         rays: &[Ray],
         inlet: Option<Inlet>,
         interval: Interval,
-        purpose: &mut impl Purpose,
+        purpose: &mut P,
         c: &mut Counters,
     ) {
         let mut queue = Queue::of(rays, inlet);
@@ -56,7 +56,7 @@ impl Bvh<'_> {
             c.cells += now.node.len as u64;
             for &number in now.node.slots() {
                 let slot = &mut slots[number as usize % SLOTS];
-                let under_way = slot.enter(simd, &self.nodes, interval.min);
+                let under_way = slot.enter::<S, P>(simd, &self.nodes, interval.min);
                 next.put(number, slot, under_way);
             }
             for &number in now.leaf.slots() {
@@ -65,7 +65,7 @@ impl Bvh<'_> {
                 let at = At { job, ray: slot.ray, last: slot.last };
                 let last = purpose.leaf(simd, self, slot.next.held(), &at, c);
                 slot.end_at(last);
-                let under_way = last > f32::NEG_INFINITY && slot.pop(simd, &self.nodes);
+                let under_way = last > f32::NEG_INFINITY && slot.pop::<S, P>(simd, &self.nodes);
                 next.put(number, slot, under_way);
             }
             for &number in next.node.slots() {

@@ -80,6 +80,8 @@ impl FirstHits<'_, '_> {
 }
 
 impl<'a, 'g: 'a> Seek<'a, 'g> for FirstHits<'a, 'g> {
+    const BY_DISTANCE: bool = true;
+
     #[inline(always)]
     fn journey(&mut self) -> &mut Journey<'a, 'g> {
         &mut self.journey

@@ -15,6 +15,7 @@ mod beside;
 mod blocked;
 pub(crate) mod build;
 pub(crate) mod bundle;
+pub(crate) mod children;
 mod collapse;
 mod crowd;
 mod cull;

@@ -5,7 +5,6 @@ pub use super::abreast::RAYS;
 use super::abreast::columns;
 use super::beam::Beam;
 use super::slabs::{ORDINARY, Slabs};
-use super::wide::WIDTH;
 use common::math::{Bounds, Vec3};
 use common::ray::Ray;
 use common::shape::filter::{Errors, Filter, MARGIN};
@@ -229,14 +228,6 @@ impl<const N: usize> Packet<N> {
     pub fn margin(&self, lane: usize) -> f32 {
         self.reach[lane] * MARGIN
     }
-}
-
-/// The one of some children, a bit for each, that is entered first by the order of centres
-/// along the node's axis, for a ray of these signs.
-#[inline(always)]
-pub fn first_child(lanes: u32, axis: u32, backward: u32) -> usize {
-    let (low, high) = (lanes.trailing_zeros(), 31 - lanes.leading_zeros());
-    (if backward >> axis & 1 == 0 { low } else { high }) as usize % WIDTH
 }
 
 #[inline(always)]

@@ -15,6 +15,9 @@ use common::simd::{Simd, prefetch_all};
 
 /// What rays are followed for.
 pub trait Purpose {
+    /// Whether it pays to visit the child of a node first that is entered first; see [`nearest_child`](super::children::nearest_child).
+    const BY_DISTANCE: bool;
+
     /// Whether a ray need not be followed.
     fn is_settled(&self, ray: usize) -> bool;
 
@@ -97,6 +100,8 @@ pub struct Nearest<'a> {
 }
 
 impl Purpose for Nearest<'_> {
+    const BY_DISTANCE: bool = true;
+
     #[inline(always)]
     fn is_settled(&self, _: usize) -> bool {
         false
@@ -149,6 +154,8 @@ pub struct Blocked<'a> {
 }
 
 impl Purpose for Blocked<'_> {
+    const BY_DISTANCE: bool = false;
+
     #[inline(always)]
     fn is_settled(&self, ray: usize) -> bool {
         self.hit[ray]

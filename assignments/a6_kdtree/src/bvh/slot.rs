@@ -2,7 +2,9 @@
 
 use super::beam::Beam;
 use super::bundle::MOST;
-use super::packet::{Packet, first_child};
+use super::children::{first_child, nearest_child};
+use super::packet::Packet;
+use super::purpose::Purpose;
 use super::single::limit;
 use super::stack::Waiting;
 use super::wide::{Child, WideNode};
@@ -78,31 +80,32 @@ impl Slot {
 
     /// Looks into the node that is next. False if nothing is left after that.
     #[inline(always)]
-    pub fn enter<S: Simd>(&mut self, simd: S, nodes: &[WideNode], min: f32) -> bool {
+    pub fn enter<S: Simd, P: Purpose>(&mut self, simd: S, nodes: &[WideNode], min: f32) -> bool {
         let index = self.next.index();
         let node = &nodes[index];
         let (enter, lanes) = self.beam.spread(simd, min).boxes(simd, node, self.max);
         if lanes == 0 {
-            return self.pop(simd, nodes);
+            return self.pop::<S, P>(simd, nodes);
         }
         // The node below stays only if children of it wait.
         self.level += usize::from(self.stack[self.level % LEVELS].lanes != 0);
         let top = &mut self.stack[self.level % LEVELS];
         enter.store_slice(&mut top.enter);
         top.node = index as u32;
-        self.take_child(node, lanes);
+        self.take_child::<S, P>(simd, node, lanes, enter);
         true
     }
 
     /// Takes what is next from what waits. False if nothing does.
     #[inline(always)]
-    pub fn pop<S: Simd>(&mut self, simd: S, nodes: &[WideNode]) -> bool {
+    pub fn pop<S: Simd, P: Purpose>(&mut self, simd: S, nodes: &[WideNode]) -> bool {
         let max = f32x8::splat(simd, self.max);
         loop {
             let top = &self.stack[self.level % LEVELS];
-            let lanes = top.lanes & f32x8::from_slice(simd, &top.enter).simd_le(max).to_bitmask() as u32;
+            let enter = f32x8::from_slice(simd, &top.enter);
+            let lanes = top.lanes & enter.simd_le(max).to_bitmask() as u32;
             if lanes != 0 {
-                self.take_child(&nodes[top.node as usize], lanes);
+                self.take_child::<S, P>(simd, &nodes[top.node as usize], lanes, enter);
                 return true;
             }
             if self.level == 0 {
@@ -112,10 +115,14 @@ impl Slot {
         }
     }
 
-    /// Makes one of the last node's children, which are `lanes`, the next.
+    /// Makes one of the last node's children, which are `lanes`, the next; see [`Purpose::BY_DISTANCE`].
     #[inline(always)]
-    fn take_child(&mut self, node: &WideNode, lanes: u32) {
-        let child = first_child(lanes, node.axis, self.beam.backward);
+    fn take_child<S: Simd, P: Purpose>(&mut self, simd: S, node: &WideNode, lanes: u32, enter: f32x8<S>) {
+        let child = if P::BY_DISTANCE {
+            nearest_child(simd, lanes, enter)
+        } else {
+            first_child(lanes, node.axis, self.beam.backward)
+        };
         self.next = node.child[child];
         self.stack[self.level % LEVELS].lanes = lanes & !(1 << child);
     }

@@ -56,6 +56,9 @@ pub struct Found {
 
 /// What is looked for.
 pub trait Seek<'a, 'g: 'a> {
+    /// See [`Visit::BY_DISTANCE`].
+    const BY_DISTANCE: bool;
+
     /// The bundle on its way.
     fn journey(&mut self) -> &mut Journey<'a, 'g>;
 
@@ -94,6 +97,8 @@ pub trait Seek<'a, 'g: 'a> {
 pub struct Seeker<K>(pub K);
 
 impl<'a, 'g: 'a, S: Simd, K: Seek<'a, 'g>> Visit<S> for Seeker<K> {
+    const BY_DISTANCE: bool = K::BY_DISTANCE;
+
     #[inline(always)]
     fn leaf(&mut self, simd: S, node: &WideNode, child: usize, c: &mut Counters) -> f32 {
         let Journey { bvh, bundle, limits, .. } = self.0.journey();

@@ -1,6 +1,7 @@
 //! The way through the tree, for one ray and for many, whatever is done at leaves.
 
-use super::packet::first_child;
+use super::bundle::lanes_of;
+use super::children::{first_child, nearest_child};
 use super::stack::Stack;
 use super::wide::{Bvh, WIDTH, WideNode};
 use common::counters::Counters;
@@ -17,6 +18,11 @@ pub trait Way<S: Simd> {
 
 /// What is done there.
 pub trait Visit<S: Simd> {
+    /// Whether of a node's children the one that is entered first comes first, at some price, and the memory is
+    /// asked for all of them at once. It pays for bundles that look for first hits, whose leaves cost much and
+    /// of which most children are visited. Else they come in the order of their centres.
+    const BY_DISTANCE: bool = false;
+
     /// Looks into a child that is a leaf. Returns where the search may end: boxes that are entered
     /// later need not be looked at; −∞ if none need be.
     fn leaf(&mut self, simd: S, node: &WideNode, child: usize, counters: &mut Counters) -> f32;
@@ -24,13 +30,13 @@ pub trait Visit<S: Simd> {
 
 /// Visits leaves below a node that may be met no later than `max`, near ones first by and large.
 #[inline(always)]
-pub fn walk<S: Simd>(
+pub fn walk<S: Simd, V: Visit<S>>(
     simd: S,
     (tree, from): (&Bvh, usize),
     stack: &mut Stack,
     mut max: f32,
     way: &impl Way<S>,
-    visit: &mut impl Visit<S>,
+    visit: &mut V,
     c: &mut Counters,
 ) {
     let Some(mut node) = tree.nodes.get(from) else { return };
@@ -50,10 +56,16 @@ pub fn walk<S: Simd>(
             node = &tree.nodes[top.node as usize];
             continue;
         }
-        let child = first_child(lanes, node.axis, backward);
+        let child = if !V::BY_DISTANCE {
+            first_child(lanes, node.axis, backward)
+        } else if lanes.is_power_of_two() {
+            lanes.trailing_zeros() as usize % WIDTH
+        } else {
+            nearest_child(simd, lanes, f32x8::from_slice(simd, &stack.at(level).enter))
+        };
         lanes &= !(1 << child);
         let held = node.child[child];
-        if large {
+        if large && !V::BY_DISTANCE {
             tree.prefetch(node.child[first_child(lanes, node.axis, backward)]);
         }
         if held.is_node() {
@@ -64,6 +76,9 @@ pub fn walk<S: Simd>(
             let top = stack.at(level);
             top.node = held.index() as u32;
             lanes = way.meet(simd, node, max, &mut top.enter);
+            if large && V::BY_DISTANCE {
+                lanes_of(lanes).for_each(|child| tree.prefetch(node.child[child % WIDTH]));
+            }
             continue;
         }
         max = visit.leaf(simd, node, child, c);
