@@ -12,67 +12,80 @@ use crate::collapse::witness::FARTHER;
 use common::math::{DVec3, Vec3};
 use common::simd::{self, Simd, dispatch};
 
-/// A face of a surface: where it is and where to it looks.
-#[derive(Clone, Copy)]
-pub(super) struct Probe {
+/// Of how many faces the mean reach is that of all.
+const SAMPLES: usize = 1000;
+
+/// So many faces are looked at before anything near is asked for: one does not wait for the other.
+const AT_ONCE: usize = 256;
+
+/// A surface that was made of another.
+pub(super) struct Made<'a> {
+    pub original: &'a Surface,
+    pub left: &'a Surface,
+    /// For every point that is left one of the original's that should be close.
+    pub near: &'a [u32],
+    /// For every face that is left which of the original's it was.
+    pub was: &'a [u32],
+}
+
+/// A face that is left: where it is and where to it looks.
+struct Probe {
     middle: DVec3,
     normal: DVec3,
     /// What the original is not farther than.
     reach: f64,
 }
 
-/// All faces of a surface. `near` tells for every point of the surface one of the original's that should be close, `was`
-/// for every face which of the original's it was.
-pub(super) fn probes(original: &Surface, surface: &Surface, near: &[u32], was: &[u32]) -> Vec<Probe> {
-    let probe = |(face, &was): (usize, &u32)| {
-        let (middle, normal) = middle(surface.places(face));
-        let triangle = Triangle::of(original, was);
-        let start = near[surface.faces[face].corners()[0] as usize];
-        let square = triangle.square_at_most(middle).min(original.at(start).distance_squared(middle));
-        Probe { middle, normal, reach: square.sqrt() * FARTHER }
-    };
-    was.iter().enumerate().map(probe).collect()
-}
-
-/// How far one looks from the middles of faces, in the mean.
-pub(super) fn mean_reach(probes: &[Probe]) -> f64 {
-    probes.iter().map(|probe| probe.reach).sum::<f64>() / probes.len().max(1) as f64
-}
-
-/// The faces of a surface that may look against the original: few more than those that do.
-pub(super) fn suspects(original: &Nearby, surface: &Surface, near: &[u32], probes: &[Probe]) -> Vec<u32> {
-    dispatch!(simd::level(), s => suspects_with(s, original, surface, near, probes))
-}
-
-#[inline(always)]
-fn suspects_with<S: Simd>(
-    simd: S,
-    original: &Nearby,
-    surface: &Surface,
-    near: &[u32],
-    probes: &[Probe],
-) -> Vec<u32> {
-    let mut suspects = Vec::new();
-    // Not by `filter`: what is called by others is not compiled for the processor that is there.
-    for (face, probe) in (0u32..).zip(probes) {
-        let mut nearest = f64::INFINITY;
-        original.near(simd, (probe.middle, probe.reach), probe.way(), |face| {
-            if let Some(square) = probe.against(original.surface, face) {
-                nearest = nearest.min(square);
-            }
-        });
-        let start = near[surface.faces[face as usize].corners()[0] as usize];
-        if nearest < f64::INFINITY && !probe.looks_along(original.surface, start, nearest) {
-            suspects.push(face);
-        }
+impl Made<'_> {
+    /// A point of the original that should be close to a face.
+    #[inline(always)]
+    fn start(&self, face: usize) -> u32 {
+        self.near[self.left.faces[face].corners()[0] as usize]
     }
-    suspects
-}
 
-/// Bytes that are held for so many faces.
-#[cfg(test)]
-pub(super) fn bytes(faces: usize) -> usize {
-    size_of::<Probe>() * faces
+    #[inline(always)]
+    fn probe(&self, face: usize) -> Probe {
+        let (middle, normal) = middle(self.left.places(face));
+        let triangle = Triangle::of(self.original, self.was[face]);
+        let start = self.original.at(self.start(face));
+        let square = triangle.square_at_most(middle).min(start.distance_squared(middle));
+        Probe { middle, normal, reach: square.sqrt() * FARTHER }
+    }
+
+    /// How far one looks from the middles of faces: the mean of some.
+    pub(super) fn mean_reach(&self) -> f64 {
+        let faces = (0..self.was.len()).step_by(1 + self.was.len() / SAMPLES);
+        let count = faces.len().max(1) as f64;
+        faces.map(|face| self.probe(face).reach).sum::<f64>() / count
+    }
+
+    /// The faces that may look against the original, whose triangles are sorted: few more than those that do.
+    pub(super) fn suspects(&self, sorted: &Nearby) -> Vec<u32> {
+        dispatch!(simd::level(), s => self.suspects_with(s, sorted))
+    }
+
+    #[inline(always)]
+    fn suspects_with<S: Simd>(&self, simd: S, sorted: &Nearby) -> Vec<u32> {
+        let (mut suspects, mut probes) = (Vec::new(), Vec::with_capacity(AT_ONCE));
+        for first in (0..self.was.len()).step_by(AT_ONCE) {
+            let faces = first..(first + AT_ONCE).min(self.was.len());
+            probes.clear();
+            probes.extend(faces.clone().map(|face| self.probe(face)));
+            // Not by `filter`: what is called by others is not compiled for the processor that is there.
+            for (face, probe) in faces.zip(&probes) {
+                let mut nearest = f64::INFINITY;
+                sorted.near(simd, (probe.middle, probe.reach), probe.way(), |face| {
+                    if let Some(square) = probe.against(self.original, face) {
+                        nearest = nearest.min(square);
+                    }
+                });
+                if nearest < f64::INFINITY && !probe.looks_along(self.original, self.start(face), nearest) {
+                    suspects.push(face as u32);
+                }
+            }
+        }
+        suspects
+    }
 }
 
 impl Probe {

@@ -39,6 +39,11 @@ impl Lattice {
         Self { fineness: (1.0 / size).min(1e30) as f32, last_slot }
     }
 
+    /// Cells for each unit of length.
+    pub(super) fn fineness(&self) -> f32 {
+        self.fineness
+    }
+
     /// How many slots there are.
     pub(super) fn slots(&self) -> usize {
         self.last_slot + 1

@@ -1,7 +1,7 @@
 //! A mesh made ready, and the levels that one run goes through.
 
 use crate::collapse::accumulated::Accumulated;
-use crate::collapse::against::{mean_reach, probes, suspects};
+use crate::collapse::against::Made;
 use crate::collapse::build::{Built, build};
 use crate::collapse::cost::Cost;
 use crate::collapse::deviation::{closest, deviation};
@@ -160,11 +160,11 @@ impl<C: Cost> Levels<'_, C> {
 
     /// Sees to it that no face looks against the original, and tells how many still do.
     fn mend(&self, snapshot: &mut Snapshot, near: &[u32]) -> usize {
-        let (original, left) = (&self.prepared.built.surface, &mut snapshot.surface);
-        let probes = probes(original, left, near, &snapshot.faces);
-        let original = Nearby::new(original, mean_reach(&probes));
-        let suspects = suspects(&original, left, near, &probes);
-        Mender::new(&original, &snapshot.fixed, near, C::IS_QUICK).mend(left, suspects)
+        let original = &self.prepared.built.surface;
+        let made = Made { original, left: &snapshot.surface, near, was: &snapshot.faces };
+        let sorted = Nearby::new(original, made.mean_reach());
+        let suspects = made.suspects(&sorted);
+        Mender::new(&sorted, &snapshot.fixed, near, C::IS_QUICK).mend(&mut snapshot.surface, suspects)
     }
 
     /// Bound of the distance between what is left and the original, both ways.

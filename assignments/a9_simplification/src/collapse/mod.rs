@@ -24,6 +24,7 @@ mod mend;
 mod merge;
 mod nearby;
 mod original;
+mod packed;
 mod polygon;
 mod quadric;
 mod queue;

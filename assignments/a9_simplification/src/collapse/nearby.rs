@@ -1,19 +1,18 @@
 //! The faces of a surface in cubic cells: which are near a place, and do not look where one looks oneself?
 
 use crate::collapse::lattice::{Cell, Lattice, between};
-use crate::collapse::surface::{Face, NONE, Surface};
+use crate::collapse::packed::{Ball, Block, ROUNDING, Scale};
+use crate::collapse::surface::{Face, Surface};
 use common::math::lanes::LANES;
 use common::math::{DVec3, Vec3};
-use common::simd::{Simd, SimdBase, SimdMask, f32x8};
+use common::simd::Simd;
 
 /// Side of a cell, in mean sides of the faces …
-const SIDES: f64 = 2.5;
+const SIDES: f64 = 1.9;
 /// … or in terms of how far one looks.
 const REACHES: f64 = 1.5;
-/// Places are rounded to single precision, in units of about the box: more than is lost of a distance.
-const ROUNDING: f32 = 2e-6;
-/// More than what is lost of a cosine where a normal is rounded to 1/511, times 511.
-const LOST: f32 = 1.6;
+/// Units in the side of a cell.
+const UNITS: f32 = 256.0;
 
 /// The faces of a surface, sorted by cells.
 pub(super) struct Nearby<'a> {
@@ -23,9 +22,8 @@ pub(super) struct Nearby<'a> {
     lattice: Lattice,
     /// What is in the cells of slot i is in lanes `first[i]..first[i + 1]`.
     first: Vec<u32>,
-    faces: Vec<[u32; LANES]>,
-    /// Where their middles are, how far they reach from there, and where they look.
-    columns: Vec<[[f32; LANES]; 7]>,
+    blocks: Vec<Block>,
+    scale: Scale,
     /// Those that meet many cells.
     large: Vec<u32>,
 }
@@ -43,8 +41,8 @@ impl<'a> Nearby<'a> {
             origin,
             lattice,
             first,
-            faces: Vec::new(),
-            columns: Vec::new(),
+            blocks: Vec::new(),
+            scale: Scale::new(UNITS * lattice.fineness()),
             large: Vec::new(),
         };
         let entries = this.entries(&places);
@@ -52,46 +50,45 @@ impl<'a> Nearby<'a> {
         this
     }
 
-    /// Slots and the faces in them, face by face. Counts what is in each slot, and tells where it begins.
-    fn entries(&mut self, places: &[Vec3]) -> Vec<(u32, u32)> {
+    /// The slots that each face is in, face by face, and in how many it is. Counts what is in each slot, and tells where it
+    /// begins.
+    fn entries(&mut self, places: &[Vec3]) -> (Vec<u32>, Vec<u16>) {
         let cells: Vec<Cell> = places.iter().map(|&place| self.lattice.cell(place)).collect();
-        let mut entries = Vec::with_capacity(self.surface.faces.len() * 2);
+        let mut slots = Vec::with_capacity(self.surface.faces.len() * 5 / 2);
+        let mut counts = Vec::with_capacity(self.surface.faces.len());
         for (i, face) in (0..).zip(&self.surface.faces) {
             let [a, b, c] = face.corners();
             let cells = between(cells[a as usize], cells[b as usize], cells[c as usize]);
-            if cells.are_many() {
+            let before = slots.len();
+            if cells.are_many() || ball(places, self.scale, face).is_none() {
                 self.large.push(i);
-                continue;
+            } else {
+                self.lattice.each_slot(&cells, |slot| {
+                    self.first[slot] += 1;
+                    slots.push(slot as u32);
+                });
             }
-            self.lattice.each_slot(&cells, |slot| {
-                self.first[slot] += 1;
-                entries.push((slot as u32, i));
-            });
+            counts.push((slots.len() - before) as u16);
         }
         let mut before = 0;
         for first in &mut self.first {
             (*first, before) = (before, before + *first);
         }
-        entries
+        (slots, counts)
     }
 
     /// Puts the faces into their slots.
-    fn fill(&mut self, places: &[Vec3], entries: &[(u32, u32)]) {
-        let blocks = entries.len().div_ceil(LANES);
-        self.faces = vec![[0; LANES]; blocks];
+    fn fill(&mut self, places: &[Vec3], (slots, counts): &(Vec<u32>, Vec<u16>)) {
         // What is left over of the last eight is a face without size that looks nowhere: it may be told.
-        self.columns = vec![[[0.0; LANES]; 7]; blocks];
-        let (mut last, mut entry) = (NONE, [0.0; 7]);
-        for &(slot, face) in entries {
-            if face != last {
-                (last, entry) = (face, columns(places, &self.surface.faces[face as usize]));
+        self.blocks = vec![Block::EMPTY; slots.len().div_ceil(LANES)];
+        let mut slots = slots.iter();
+        for ((number, face), &count) in (0..).zip(&self.surface.faces).zip(counts) {
+            let Some(ball) = ball(places, self.scale, face) else { continue };
+            for &slot in slots.by_ref().take(count.into()) {
+                let at = self.first[slot as usize] as usize;
+                self.first[slot as usize] += 1;
+                self.blocks[at / LANES].set(at % LANES, number, ball);
             }
-            let first = &mut self.first[slot as usize];
-            let (block, lane) = (*first as usize / LANES, *first as usize % LANES);
-            *first += 1;
-            self.faces[block][lane] = face;
-            let columns = &mut self.columns[block];
-            columns.iter_mut().zip(entry).for_each(|(lanes, entry)| lanes[lane] = entry);
         }
         // Each slot has been filled to where the next begins.
         self.first.rotate_right(1);
@@ -111,25 +108,19 @@ impl<'a> Nearby<'a> {
     ) {
         let (p, reach) = ((at - self.origin).as_vec3(), reach as f32 + ROUNDING);
         let cells = self.lattice.cells(p - reach, p + reach);
-        if cells.are_many() {
+        let question = self.scale.question(p, reach, normal).filter(|_| !cells.are_many());
+        let Some(question) = question else {
             return (0..self.surface.faces.len() as u32).for_each(what);
-        }
-        let of = |x: f32| f32x8::splat(simd, x);
+        };
         for slot in self.lattice.slots_of(&cells) {
             let (from, to) = (self.first[slot] as usize, self.first[slot + 1] as usize);
             if from == to {
                 continue;
             }
-            let blocks = from / LANES..to.div_ceil(LANES);
-            for (columns, faces) in self.columns[blocks.clone()].iter().zip(&self.faces[blocks]) {
-                let lanes = |i: usize| f32x8::from_slice(simd, &columns[i]);
-                let (x, y, z, far) =
-                    (lanes(0) - of(p.x), lanes(1) - of(p.y), lanes(2) - of(p.z), lanes(3) + of(reach));
-                let cosine = lanes(4) * of(normal.x) + lanes(5) * of(normal.y) + lanes(6) * of(normal.z);
-                let is_near = (x * x + y * y + z * z).simd_le(far * far);
-                let mut found = (is_near & cosine.simd_le(of(LOST))).to_bitmask();
+            for block in &self.blocks[from / LANES..to.div_ceil(LANES)] {
+                let mut found = block.found(simd, &question);
                 while found != 0 {
-                    what(faces[found.trailing_zeros() as usize]);
+                    what(block.numbers[found.trailing_zeros() as usize]);
                     found &= found - 1;
                 }
             }
@@ -140,20 +131,21 @@ impl<'a> Nearby<'a> {
     /// Bytes that are held for all faces.
     #[cfg(test)]
     pub(super) fn bytes(&self) -> usize {
-        4 * (self.first.capacity() + 8 * LANES * self.faces.capacity()) + 28 * self.surface.points.len()
+        4 * self.first.capacity()
+            + size_of::<Block>() * self.blocks.capacity()
+            + 28 * self.surface.points.len()
     }
 }
 
-/// Where the middle of a face is, how far it reaches from there, and where it looks.
+/// The ball around a face.
 #[inline(always)]
-fn columns(places: &[Vec3], face: &Face) -> [f32; 7] {
+fn ball(places: &[Vec3], scale: Scale, face: &Face) -> Option<Ball> {
     let [a, b, c] = face.corners();
     let [a, b, c] = [places[a as usize], places[b as usize], places[c as usize]];
     let middle = (a + b + c) * (1.0 / 3.0);
     let squares = [a.distance_squared(middle), b.distance_squared(middle), c.distance_squared(middle)];
     let reach = squares[0].max(squares[1]).max(squares[2]).sqrt();
-    let [u, v, w] = face.look();
-    [middle.x, middle.y, middle.z, reach + ROUNDING, f32::from(u), f32::from(v), f32::from(w)]
+    scale.ball(middle, reach, face.remembered())
 }
 
 /// Mean length of some sides.

@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::collapse::accumulated::Accumulated;
-use crate::collapse::against;
 use crate::collapse::build::build;
 use crate::collapse::melax::Curvature;
 use crate::collapse::memoryless::Memoryless;
@@ -31,7 +30,7 @@ fn bytes<C: Cost>(n: u32, cost: impl Fn(&Surface) -> C) -> f64 {
     };
     let before = full(&run);
     run.until(count / 10);
-    let looking = Nearby::new(&built.surface, 0.0).bytes() + against::bytes(run.surface.alive);
+    let looking = Nearby::new(&built.surface, 0.0).bytes();
     let original = of_surface(&built.surface) + built.cut.capacity() + size_of_val(&places[..]);
     (before.max(full(&run)) + original + looking) as f64 / count as f64
 }
