@@ -2,7 +2,7 @@
 
 use super::triangle_block::{LANES, TriangleBlock};
 use crate::math::lanes::{Vectors, load};
-use crate::simd::{Bytes, Select, Simd, SimdBase, SimdMask, f32x8, u32x8};
+use crate::simd::{Bytes, Select, Simd, SimdBase, SimdMask, f32x8, mask32x8, u32x8};
 
 /// The corners of eight triangles. Each is given by its number among all places of all blocks, of which there
 /// are eight in each.
@@ -28,7 +28,7 @@ pub fn corners_of<S: Simd>(
     while left != 0 {
         let number = numbers[left.trailing_zeros() as usize % LANES];
         let these = in_block_of(simd, all, number);
-        let is_one = crate::simd::mask32x8::from_bitmask(simd, u64::from(these));
+        let is_one = mask32x8::from_bitmask(simd, u64::from(these));
         let [d, e, f] = chosen(blocks, number, simd, bytes);
         for axis in 0..3 {
             a[axis] = is_one.select(d[axis], a[axis]);
