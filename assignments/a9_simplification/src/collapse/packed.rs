@@ -61,7 +61,8 @@ impl Scale {
     pub(super) fn ball(self, middle: Vec3, reach: f32, normal: u32) -> Option<Ball> {
         let reach = (reach + ROUNDING) * self.0 + WHOLE;
         let [x, y, z] = self.whole(middle);
-        (reach < LARGEST).then(|| [x & 0xffff | y << 16, z & 0xffff | (reach as i32) << 16, normal as i32])
+        let ball = [x & 0xffff | y << 16, z & 0xffff | (reach as i32) << 16, normal as i32];
+        (reach < LARGEST).then_some(ball)
     }
 
     /// What one asks from a place, as far as one looks and along a normal whose largest component is 1; `None` if that is
