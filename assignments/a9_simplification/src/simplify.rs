@@ -103,22 +103,45 @@ fn check_goal(number: usize, goal: &Goal) -> Result<(), SimplifyError> {
 }
 
 fn levels(mut levels: impl Level, goals: &[Goal], bound: bool) -> Vec<Simplified> {
+    let Some((last, before)) = goals.split_last() else { return Vec::new() };
     let all = levels.faces();
-    goals.iter().map(|goal| reach(&mut levels, all, goal, bound)).collect()
+    let mut results = Vec::with_capacity(goals.len());
+    for goal in before {
+        results.push(match target(all, goal) {
+            Target::Faces(faces) => {
+                let stopped = stop(&mut levels, faces);
+                levels.simplified(stopped, bound)
+            }
+            Target::Error(error) => within(&mut levels, error),
+        });
+    }
+    results.push(match target(all, last) {
+        Target::Faces(faces) => {
+            let stopped = stop(&mut levels, faces);
+            levels.into_simplified(stopped, bound)
+        }
+        Target::Error(error) => within(&mut levels, error),
+    });
+    results
 }
 
-fn reach(levels: &mut impl Level, all: usize, goal: &Goal, bound: bool) -> Simplified {
+/// What a goal asks of a mesh of so many triangles.
+enum Target {
+    Faces(usize),
+    Error(f64),
+}
+
+fn target(all: usize, goal: &Goal) -> Target {
     match *goal {
-        Goal::Faces(faces) => at_most(levels, faces, bound),
+        Goal::Faces(faces) => Target::Faces(faces),
         // What is meant by 0.1 is not the binary fraction a little above or below it.
-        Goal::Ratio(ratio) => at_most(levels, (all as f64 * ratio + 1e-6).floor() as usize, bound),
-        Goal::Error(error) => within(levels, error),
+        Goal::Ratio(ratio) => Target::Faces((all as f64 * ratio + 1e-6).floor() as usize),
+        Goal::Error(error) => Target::Error(error),
     }
 }
 
-fn at_most(levels: &mut impl Level, faces: usize, bound: bool) -> Simplified {
-    let reached = levels.until(faces);
-    levels.simplified(if reached { Stopped::Reached } else { Stopped::Stuck }, bound)
+fn stop(levels: &mut impl Level, faces: usize) -> Stopped {
+    if levels.until(faces) { Stopped::Reached } else { Stopped::Stuck }
 }
 
 /// Goes down in steps, each from a copy of the last level that was within the error; where a step is
@@ -131,12 +154,13 @@ fn within(levels: &mut impl Level, error: f64) -> Simplified {
     let mut step = FIRST_STEP;
     while step < LAST_STEP {
         let mut trial = levels.clone();
-        let reached = trial.until((trial.faces() as f64 * step) as usize);
-        let simplified = trial.simplified(if reached { Stopped::Reached } else { Stopped::Stuck }, true);
+        let faces = (trial.faces() as f64 * step) as usize;
+        let stopped = stop(&mut trial, faces);
+        let simplified = trial.simplified(stopped, true);
         if simplified.error.is_some_and(|error| error <= limit) && trial.faces() < levels.faces() {
             *levels = trial;
             best = simplified;
-            if !reached {
+            if stopped == Stopped::Stuck {
                 break;
             }
         } else {

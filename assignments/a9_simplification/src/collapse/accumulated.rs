@@ -12,14 +12,15 @@
 use crate::collapse::abreast::{Symmetrics, price_all};
 use crate::collapse::banded::Banded;
 use crate::collapse::cost::{Cost, Merge, Offer, cheapest_by_form, without_bias};
-use crate::collapse::memoryless::{line, plane};
+use crate::collapse::eight::normals;
+use crate::collapse::memoryless::line;
 use crate::collapse::quadric::Symmetric;
 use crate::collapse::ring::Ring;
-use crate::collapse::rows::rows_turned;
+use crate::collapse::rows::{rows_turned, turned};
 use crate::collapse::surface::{NONE, Surface};
-use common::math::lanes::{LANES, dot, scale, subtract, widen};
+use common::math::lanes::{LANES, Vectors, dot, narrow, scale, subtract, widen};
 use common::math::{DVec3, Vec3};
-use common::simd::{self, Simd, SimdBase, dispatch, f64x8, prefetch};
+use common::simd::{self, Select, Simd, SimdBase, SimdFloat, dispatch, f32x8, f64x8, prefetch};
 
 /// Share of the trace by which a minimum must be determined: well above the rounding of single precision.
 const LEAST_RANK: f64 = 1e-6;
@@ -84,6 +85,12 @@ impl Quadric {
         Self(std::array::from_fn(|i| self.0[i] + other.0[i]))
     }
 
+    /// Adds to A, and to b.x and b.y.
+    #[inline(always)]
+    fn add_row<S: Simd>(&mut self, simd: S, row: f32x8<S>) {
+        (f32x8::from_slice(simd, &self.0[..LANES]) + row).store_slice(&mut self.0[..LANES]);
+    }
+
     /// Adds to A.
     #[inline(always)]
     fn add(&mut self, plane_or_line: &[f32; 6]) {
@@ -99,6 +106,28 @@ impl Quadric {
     }
 }
 
+/// Entries of A for the planes of eight faces, by their normals; see [`plane`](crate::collapse::memoryless::plane).
+#[inline(always)]
+fn planes<S: Simd>(simd: S, normal: Vectors<f64x8<S>>) -> [f32x8<S>; LANES] {
+    let zero = f64x8::splat(simd, 0.0);
+    let length2 = dot(normal, normal);
+    let root = length2.sqrt().sqrt();
+    let weight = length2.simd_gt(zero).select(f64x8::splat(simd, 1.0) / (root * root * root), zero);
+    let [x, y, z] = scale(normal, weight);
+    let none = f32x8::splat(simd, 0.0);
+    let entries = [
+        narrow(simd, x * normal[0]),
+        narrow(simd, x * normal[1]),
+        narrow(simd, x * normal[2]),
+        narrow(simd, y * normal[1]),
+        narrow(simd, y * normal[2]),
+        narrow(simd, z * normal[2]),
+        none,
+        none,
+    ];
+    turned(simd, entries)
+}
+
 impl Accumulated {
     /// Of all points of a surface.
     pub(super) fn new(surface: &Surface) -> Self {
@@ -110,13 +139,40 @@ impl Accumulated {
 
     /// Adds the planes of the faces that are there.
     fn sum_up(&mut self, surface: &Surface) {
-        for (i, face) in surface.faces.iter().enumerate().filter(|(_, face)| !face.is_gone()) {
-            let plane = plane(surface.normal(i)).single();
+        dispatch!(simd::level(), s => self.sum_up_with(s, surface));
+    }
+
+    #[inline(always)]
+    fn sum_up_with<S: Simd>(&mut self, simd: S, surface: &Surface) {
+        let (mut faces, mut count) = ([0; LANES], 0);
+        for (i, face) in surface.faces.iter().enumerate() {
+            if face.is_gone() {
+                continue;
+            }
+            faces[count] = i as u32;
+            count += 1;
+            if count == LANES {
+                self.add_planes(simd, surface, (&faces, count));
+                count = 0;
+            }
+        }
+        // What is left over stands beside faces that are summed up already.
+        if count > 0 {
+            self.add_planes(simd, surface, (&faces, count));
+        }
+    }
+
+    /// Adds the planes of the first so many of eight faces.
+    #[inline(always)]
+    fn add_planes<S: Simd>(&mut self, simd: S, surface: &Surface, (faces, count): (&[u32; LANES], usize)) {
+        let planes = planes(simd, normals(simd, surface, faces));
+        for lane in 0..count {
+            let face = &surface.faces[faces[lane] as usize];
             for point in face.corners() {
-                self.of[point as usize].add(&plane);
+                self.of[point as usize].add_row(simd, planes[lane]);
             }
             if face.is_at_boundary() {
-                self.add_lines(surface, 4 * i as u32);
+                self.add_lines(surface, 4 * faces[lane]);
             }
         }
     }
@@ -204,6 +260,10 @@ impl Cost for Accumulated {
         let points = surface.points.iter().zip(&mut self.of);
         points.filter(|(point, _)| point.out != NONE).for_each(|(p, of)| *of = Quadric::default().at(p.at));
         self.sum_up(surface);
+    }
+
+    fn let_go(&mut self) {
+        self.of = Vec::new();
     }
 
     #[cfg(test)]

@@ -4,8 +4,11 @@
 //! anybody's neighbour; where several fans meet in one point, each gets a copy of the point. So
 //! everything becomes a surface with boundary, and the places where it was cut are held fast.
 
+use crate::collapse::eight::{looks, normals};
 use crate::collapse::surface::{Face, NONE, Point, Surface, previous};
+use common::math::lanes::LANES;
 use common::math::{Bounds, Vec3};
+use common::simd::{self, Simd, dispatch};
 
 /// A surface and how it was cut.
 #[derive(Clone)]
@@ -77,9 +80,21 @@ impl Surface {
     }
 
     fn remember_normals(&mut self) {
-        for i in 0..self.faces.len() {
-            let normal = self.normal(i);
-            self.faces[i].remember(normal);
+        dispatch!(simd::level(), s => self.remember_normals_with(s));
+    }
+
+    #[inline(always)]
+    fn remember_normals_with<S: Simd>(&mut self, simd: S) {
+        let last = self.faces.len() as u32;
+        let mut faces = [0; LANES];
+        for first in (0..last).step_by(LANES) {
+            for lane in 0..LANES {
+                faces[lane] = (first + lane as u32).min(last - 1);
+            }
+            let looks = looks(simd, normals(simd, self, &faces));
+            for lane in 0..LANES {
+                self.faces[faces[lane] as usize].remember(looks[lane] as u32);
+            }
         }
     }
 }

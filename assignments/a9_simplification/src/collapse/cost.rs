@@ -69,6 +69,9 @@ pub(super) trait Cost: Clone {
     /// Forgets what was there before, as if the surface had been so from the beginning.
     fn forget(&mut self, _surface: &Surface) {}
 
+    /// Lets go of what is known of points: nothing is priced any more.
+    fn let_go(&mut self) {}
+
     /// Bytes that are held for all points.
     #[cfg(test)]
     fn bytes(&self) -> usize;

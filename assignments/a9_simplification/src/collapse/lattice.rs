@@ -2,19 +2,17 @@
 //! costs anything.
 
 use common::math::Vec3;
+use common::math::lanes::{LANES, Vectors, scale, subtract};
+use common::simd::{Simd, SimdBase, SimdMask, f32x8, i32x8};
 
 /// What meets more cells than this is better held against everything.
 const MOST_CELLS: u64 = 1024;
 
 /// The greatest number of a cell.
-const FARTHEST: i32 = i16::MAX as i32;
+const FARTHEST: f32 = i16::MAX as f32;
 /// How far the slots of neighbours along y and z are apart.
 const BESIDE: i32 = 12_347;
 const BEHIND: i32 = 7_654_321;
-
-/// Numbers of a cell along the axes, and the same negative, so that the least of several is both the lowest
-/// and the highest; every fourth is 0.
-pub(super) type Cell = [i16; 8];
 
 /// Space, cut into cubes that share some slots.
 #[derive(Clone, Copy)]
@@ -49,30 +47,49 @@ impl Lattice {
         self.last_slot + 1
     }
 
-    /// The cell of a place. What is near zero or very far off shares cells with what is
+    /// The cell of a place along an axis. What is near zero or very far off shares cells with what is
     /// beside it: all that matters is that numbers never fall along an axis.
     #[inline(always)]
-    pub(super) fn cell(&self, p: Vec3) -> Cell {
-        let p = p * self.fineness;
-        let number = |x: f32| (x as i32).clamp(-FARTHEST, FARTHEST) as i16;
-        let [x, y, z] = [number(p.x), number(p.y), number(p.z)];
-        [x, y, z, 0, -x, -y, -z, 0]
+    fn cell(&self, x: f32) -> i32 {
+        (x * self.fineness).clamp(-FARTHEST, FARTHEST) as i32
     }
 
     /// The cells that a box meets.
     #[inline(always)]
     pub(super) fn cells(&self, low: Vec3, high: Vec3) -> Cells {
-        let (low, high) = (self.cell(low), self.cell(high));
-        between(low, low, high)
+        let low = [self.cell(low.x), self.cell(low.y), self.cell(low.z)];
+        let high = [self.cell(high.x), self.cell(high.y), self.cell(high.z)];
+        let more = [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
+        Cells { low, more: [more[0] as u32, more[1] as u32, more[2] as u32] }
     }
 
-    /// Calls `what` with the slots of some cells, most often of one.
+    /// The cells of eight places.
     #[inline(always)]
-    pub(super) fn each_slot(&self, cells: &Cells, mut what: impl FnMut(usize)) {
-        if cells.is_one() {
-            return what(first_slot(cells) as usize & self.last_slot);
+    fn eight_cells<S: Simd>(&self, simd: S, places: Vectors<f32x8<S>>) -> Vectors<i32x8<S>> {
+        let (least, most) = (f32x8::splat(simd, -FARTHEST), f32x8::splat(simd, FARTHEST));
+        let [x, y, z] = scale(places, f32x8::splat(simd, self.fineness));
+        [
+            simd.cvt_i32_f32x8(x.max(least).min(most)),
+            simd.cvt_i32_f32x8(y.max(least).min(most)),
+            simd.cvt_i32_f32x8(z.max(least).min(most)),
+        ]
+    }
+
+    /// The cells that eight boxes meet.
+    #[inline(always)]
+    pub(super) fn met<S: Simd>(&self, simd: S, low: Vectors<f32x8<S>>, high: Vectors<f32x8<S>>) -> Met {
+        let (low, high) = (self.eight_cells(simd, low), self.eight_cells(simd, high));
+        let more = subtract(high, low);
+        let all = more[0] | more[1] | more[2];
+        let by = |x: i32| i32x8::splat(simd, x);
+        let slot = (low[0] + low[1] * by(BESIDE) + low[2] * by(BEHIND)) & by(self.last_slot as i32);
+        let mut met = Met { one: all.simd_eq(by(0)).to_bitmask(), ..Met::default() };
+        slot.store_slice(&mut met.slot);
+        for axis in 0..3 {
+            low[axis].store_slice(&mut met.low[axis]);
+            more[axis].store_slice(&mut met.more[axis]);
         }
-        self.slots_of(cells).for_each(what);
+        met
     }
 
     /// The slots of some cells. Those of neighbours along x are neighbours, too.
@@ -124,25 +141,28 @@ impl Iterator for Slots {
     }
 }
 
-/// All cells between three.
-#[inline(always)]
-pub(super) fn between(a: Cell, b: Cell, c: Cell) -> Cells {
-    let [x, y, z, _, u, v, w, _] = least(least(a, b), c).map(i32::from);
-    Cells { low: [x, y, z], more: [(-u - x) as u32, (-v - y) as u32, (-w - z) as u32] }
+/// The cells that eight boxes meet.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Met {
+    /// A bit for each that meets only one.
+    pub one: u64,
+    /// Of these the slots.
+    pub slot: [i32; LANES],
+    low: [[i32; LANES]; 3],
+    more: [[i32; LANES]; 3],
 }
 
-#[inline(always)]
-fn least(a: Cell, b: Cell) -> Cell {
-    std::array::from_fn(|i| a[i].min(b[i]))
+impl Met {
+    /// Those of one box.
+    #[inline(always)]
+    pub(super) fn cells(&self, lane: usize) -> Cells {
+        let [x, y, z] = &self.more;
+        let low = [self.low[0][lane], self.low[1][lane], self.low[2][lane]];
+        Cells { low, more: [x[lane] as u32, y[lane] as u32, z[lane] as u32] }
+    }
 }
 
 impl Cells {
-    /// Whether it is only one.
-    #[inline(always)]
-    fn is_one(&self) -> bool {
-        self.more == [0; 3]
-    }
-
     /// Whether there are so many that it is better not to ask for each.
     #[inline(always)]
     pub(super) fn are_many(&self) -> bool {

@@ -44,6 +44,9 @@ pub(crate) trait Level: Clone {
 
     /// The mesh at this level; with the bound of its error if that is wanted.
     fn simplified(&self, stopped: Stopped, bound: bool) -> Simplified;
+
+    /// The same for the last level of a run: what only steps need is let go before more is asked of the memory.
+    fn into_simplified(self, stopped: Stopped, bound: bool) -> Simplified;
 }
 
 /// How a run is finished: by a fit to samples of the original.
@@ -214,5 +217,10 @@ impl<C: Cost> Level for Levels<'_, C> {
         let error = bound.then(|| if changed { self.error(&snapshot) } else { 0.0 });
         let (mesh, becomes) = snapshot.mesh(&welded.point_of, self.run.wedges.as_ref());
         Simplified { mesh, stopped, error, against, becomes, irregular: *irregular }
+    }
+
+    fn into_simplified(mut self, stopped: Stopped, bound: bool) -> Simplified {
+        self.run.let_go();
+        self.simplified(stopped, bound)
     }
 }

@@ -119,6 +119,10 @@ impl Cost for Memoryless {
         price_all(surface, eight, |h| self.price(surface, h).cost, what);
     }
 
+    fn let_go(&mut self) {
+        self.of = Vec::new();
+    }
+
     #[cfg(test)]
     fn bytes(&self) -> usize {
         self.of.capacity() * size_of::<Symmetric>()

@@ -14,6 +14,7 @@ mod cells;
 mod cost;
 mod deviation;
 mod drawers;
+mod eight;
 mod heap;
 mod lattice;
 mod levels;

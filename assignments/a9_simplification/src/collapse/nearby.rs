@@ -1,11 +1,12 @@
 //! The faces of a surface in cubic cells: which are near a place, and do not look where one looks oneself?
 
-use crate::collapse::lattice::{Cell, Lattice, between};
-use crate::collapse::packed::{Ball, Block, ROUNDING, Scale};
-use crate::collapse::surface::{Face, Surface};
+use crate::collapse::eight::{Eight, Frame};
+use crate::collapse::lattice::Lattice;
+use crate::collapse::packed::{Block, Packed, ROUNDING, Scale};
+use crate::collapse::surface::Surface;
 use common::math::lanes::LANES;
 use common::math::{DVec3, Vec3};
-use common::simd::Simd;
+use common::simd::{self, Simd, dispatch};
 
 /// Side of a cell, in mean sides of the faces …
 const SIDES: f64 = 1.9;
@@ -18,7 +19,7 @@ const UNITS: f32 = 256.0;
 pub(super) struct Nearby<'a> {
     /// The surface.
     pub surface: &'a Surface,
-    origin: DVec3,
+    frame: Frame,
     lattice: Lattice,
     /// What is in the cells of slot i is in lanes `first[i]..first[i + 1]`.
     first: Vec<u32>,
@@ -31,68 +32,76 @@ pub(super) struct Nearby<'a> {
 impl<'a> Nearby<'a> {
     /// Of a surface; one will look about as far as `reach`.
     pub(super) fn new(surface: &'a Surface, reach: f64) -> Self {
-        let origin = if surface.points.is_empty() { DVec3::ZERO } else { surface.at(0) };
         let lattice = Lattice::new((SIDES * mean_side(surface)).max(REACHES * reach), surface.faces.len());
-        let place = |point: u32| (surface.at(point) - origin).as_vec3();
-        let places: Vec<Vec3> = (0..surface.points.len() as u32).map(place).collect();
-        let first = vec![0; lattice.slots() + 1];
         let mut this = Self {
             surface,
-            origin,
+            frame: Frame {
+                origin: surface.points.first().map_or(Vec3::ZERO, |point| point.at),
+                unit: surface.scale as f32,
+            },
             lattice,
-            first,
+            first: vec![0; lattice.slots() + 1],
             blocks: Vec::new(),
             scale: Scale::new(UNITS * lattice.fineness()),
             large: Vec::new(),
         };
-        let entries = this.entries(&places);
-        this.fill(&places, &entries);
+        dispatch!(simd::level(), s => this.sort(s));
         this
     }
 
-    /// The slots that each face is in, face by face, and in how many it is. Counts what is in each slot, and tells where it
-    /// begins.
-    fn entries(&mut self, places: &[Vec3]) -> (Vec<u32>, Vec<u16>) {
-        let cells: Vec<Cell> = places.iter().map(|&place| self.lattice.cell(place)).collect();
-        let mut slots = Vec::with_capacity(self.surface.faces.len() * 5 / 2);
-        let mut counts = Vec::with_capacity(self.surface.faces.len());
-        for (i, face) in (0..).zip(&self.surface.faces) {
-            let [a, b, c] = face.corners();
-            let cells = between(cells[a as usize], cells[b as usize], cells[c as usize]);
-            let before = slots.len();
-            if cells.are_many() || ball(places, self.scale, face).is_none() {
-                self.large.push(i);
-            } else {
-                self.lattice.each_slot(&cells, |slot| {
-                    self.first[slot] += 1;
-                    slots.push(slot as u32);
-                });
-            }
-            counts.push((slots.len() - before) as u16);
-        }
+    #[inline(always)]
+    fn sort<S: Simd>(&mut self, simd: S) {
+        let mut all = 0;
+        self.each_slot(simd, |this, slot, _, _, _| {
+            this.first[slot] += 1;
+            all += 1;
+        });
         let mut before = 0;
         for first in &mut self.first {
             (*first, before) = (before, before + *first);
         }
-        (slots, counts)
-    }
-
-    /// Puts the faces into their slots.
-    fn fill(&mut self, places: &[Vec3], (slots, counts): &(Vec<u32>, Vec<u16>)) {
         // What is left over of the last eight is a face without size that looks nowhere: it may be told.
-        self.blocks = vec![Block::EMPTY; slots.len().div_ceil(LANES)];
-        let mut slots = slots.iter();
-        for ((number, face), &count) in (0..).zip(&self.surface.faces).zip(counts) {
-            let Some(ball) = ball(places, self.scale, face) else { continue };
-            for &slot in slots.by_ref().take(count.into()) {
-                let at = self.first[slot as usize] as usize;
-                self.first[slot as usize] += 1;
-                self.blocks[at / LANES].set(at % LANES, number, ball);
-            }
-        }
+        self.blocks = vec![Block::EMPTY; (all as usize).div_ceil(LANES)];
+        self.large.clear();
+        self.each_slot(simd, |this, slot, face, balls, lane| {
+            let at = this.first[slot] as usize;
+            this.first[slot] += 1;
+            let normal = this.surface.faces[face as usize].remembered();
+            this.blocks[at / LANES].set(at % LANES, (face, normal), balls, lane);
+        });
         // Each slot has been filled to where the next begins.
         self.first.rotate_right(1);
         self.first[0] = 0;
+    }
+
+    /// Calls `what` with every slot that a face is in, the face, and the ball around it; notes those that are large.
+    #[inline(always)]
+    fn each_slot<S: Simd>(&mut self, simd: S, mut what: impl FnMut(&mut Self, usize, u32, &Packed, usize)) {
+        let last = self.surface.faces.len() as u32;
+        let mut faces = [0; LANES];
+        for first in (0..last).step_by(LANES) {
+            for lane in 0..LANES {
+                faces[lane] = (first + lane as u32).min(last - 1);
+            }
+            let eight = Eight::new(simd, self.surface, &faces, (self.frame, self.scale, self.lattice));
+            for lane in 0..LANES.min((last - first) as usize) {
+                let bit = 1 << lane;
+                if eight.balls.too_large & bit != 0 {
+                    self.large.push(faces[lane]);
+                } else if eight.cells.one & bit != 0 {
+                    what(self, eight.cells.slot[lane] as usize, faces[lane], &eight.balls, lane);
+                } else {
+                    let cells = eight.cells.cells(lane);
+                    if cells.are_many() {
+                        self.large.push(faces[lane]);
+                        continue;
+                    }
+                    for slot in self.lattice.slots_of(&cells) {
+                        what(self, slot, faces[lane], &eight.balls, lane);
+                    }
+                }
+            }
+        }
     }
 
     /// Calls `what` with every face that meets the cells around a place, as far as one looks, and is not known to look
@@ -106,7 +115,8 @@ impl<'a> Nearby<'a> {
         normal: Vec3,
         mut what: impl FnMut(u32),
     ) {
-        let (p, reach) = ((at - self.origin).as_vec3(), reach as f32 + ROUNDING);
+        let origin = self.frame.origin.as_dvec3() * self.surface.scale;
+        let (p, reach) = ((at - origin).as_vec3(), reach as f32 + ROUNDING);
         let cells = self.lattice.cells(p - reach, p + reach);
         let question = self.scale.question(p, reach, normal).filter(|_| !cells.are_many());
         let Some(question) = question else {
@@ -131,21 +141,8 @@ impl<'a> Nearby<'a> {
     /// Bytes that are held for all faces.
     #[cfg(test)]
     pub(super) fn bytes(&self) -> usize {
-        4 * self.first.capacity()
-            + size_of::<Block>() * self.blocks.capacity()
-            + 28 * self.surface.points.len()
+        4 * self.first.capacity() + size_of::<Block>() * self.blocks.capacity()
     }
-}
-
-/// The ball around a face.
-#[inline(always)]
-fn ball(places: &[Vec3], scale: Scale, face: &Face) -> Option<Ball> {
-    let [a, b, c] = face.corners();
-    let [a, b, c] = [places[a as usize], places[b as usize], places[c as usize]];
-    let middle = (a + b + c) * (1.0 / 3.0);
-    let squares = [a.distance_squared(middle), b.distance_squared(middle), c.distance_squared(middle)];
-    let reach = squares[0].max(squares[1]).max(squares[2]).sqrt();
-    scale.ball(middle, reach, face.remembered())
 }
 
 /// Mean length of some sides.
@@ -161,7 +158,6 @@ mod tests {
     use super::*;
     use crate::collapse::locate::square;
     use crate::collapse::scattered::{random, scattered};
-    use common::simd::{self, dispatch};
 
     #[test]
     fn everything_within_reach_that_may_look_elsewhere_is_told() {

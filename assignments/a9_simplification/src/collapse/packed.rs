@@ -5,7 +5,7 @@
 //! what is not told apart from it is only asked in vain.
 
 use common::math::Vec3;
-use common::math::lanes::LANES;
+use common::math::lanes::{LANES, Vectors};
 use common::simd::{Simd, SimdBase, SimdMask, f32x8, i32x8};
 
 /// Places are rounded to single precision, in units of about the box: more than is lost of a distance.
@@ -23,8 +23,13 @@ const LARGEST: f32 = 8192.0;
 /// So many units at most in a unit of length, so that places remain numbers.
 const FINEST: f32 = 1e8;
 
-/// A ball: x and y, z and how far it reaches, and its normal as faces remember it.
-pub(super) type Ball = [i32; 3];
+/// Eight balls, packed: x and y, z and how far they reach.
+pub(super) struct Packed {
+    xy: [i32; LANES],
+    z_reach: [i32; LANES],
+    /// A bit for each that is too large to be told from others.
+    pub too_large: u64,
+}
 
 /// Eight balls, and their numbers.
 #[derive(Clone, Copy)]
@@ -56,13 +61,21 @@ impl Scale {
         (p * self.0).to_array().map(|x| x as i32)
     }
 
-    /// A ball that can be told from others, if it is not too large.
+    /// Eight balls.
     #[inline(always)]
-    pub(super) fn ball(self, middle: Vec3, reach: f32, normal: u32) -> Option<Ball> {
-        let reach = (reach + ROUNDING) * self.0 + WHOLE;
-        let [x, y, z] = self.whole(middle);
-        let ball = [x & 0xffff | y << 16, z & 0xffff | (reach as i32) << 16, normal as i32];
-        (reach < LARGEST).then_some(ball)
+    pub(super) fn balls<S: Simd>(self, simd: S, middle: Vectors<f32x8<S>>, reach: f32x8<S>) -> Packed {
+        let of = |x: f32| f32x8::splat(simd, x);
+        let (low, units) = (i32x8::splat(simd, 0xffff), of(self.0));
+        let reach = (reach + of(ROUNDING)) * units + of(WHOLE);
+        // Not what is no number.
+        let is_small = reach.simd_lt(of(LARGEST));
+        let x = simd.cvt_i32_f32x8(middle[0] * units);
+        let y = simd.cvt_i32_f32x8(middle[1] * units);
+        let z = simd.cvt_i32_f32x8(middle[2] * units);
+        let (mut xy, mut z_reach) = ([0; LANES], [0; LANES]);
+        ((x & low) | (y << 16)).store_slice(&mut xy);
+        ((z & low) | (simd.cvt_i32_f32x8(reach) << 16)).store_slice(&mut z_reach);
+        Packed { xy, z_reach, too_large: !is_small.to_bitmask() & 0xff }
     }
 
     /// What one asks from a place, as far as one looks and along a normal whose largest component is 1; `None` if that is
@@ -80,11 +93,11 @@ impl Block {
         Self { normals: [0; LANES], xy: [0; LANES], z_reach: [0; LANES], numbers: [0; LANES] };
 
     #[inline(always)]
-    pub(super) fn set(&mut self, lane: usize, number: u32, [xy, z_reach, normal]: Ball) {
+    pub(super) fn set(&mut self, lane: usize, (number, normal): (u32, u32), balls: &Packed, ball: usize) {
         self.numbers[lane] = number;
-        self.xy[lane] = xy;
-        self.z_reach[lane] = z_reach;
-        self.normals[lane] = normal;
+        self.xy[lane] = balls.xy[ball];
+        self.z_reach[lane] = balls.z_reach[ball];
+        self.normals[lane] = normal as i32;
     }
 
     /// Which of them may be near in the middle and in height above their planes, and not look along the normal.

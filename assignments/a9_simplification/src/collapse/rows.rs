@@ -17,7 +17,13 @@ fn half_turned<S: Simd>(simd: S, rows: &[&[f32; 16]; LANES], from: usize) -> [f3
     for lane in 0..LANES {
         turned[lane] = f32x8::from_slice(simd, &rows[lane][from..from + LANES]);
     }
-    shuffled(simd, shuffled(simd, shuffled(simd, turned)))
+    self::turned(simd, turned)
+}
+
+/// Eight rows of eight numbers, turned: columns become rows.
+#[inline(always)]
+pub(super) fn turned<S: Simd>(simd: S, rows: [f32x8<S>; LANES]) -> [f32x8<S>; LANES] {
+    shuffled(simd, shuffled(simd, shuffled(simd, rows)))
 }
 
 /// The first half of the rows, each between its entries those of one of the other half: a third of the way to turn them.

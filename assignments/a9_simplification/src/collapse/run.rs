@@ -114,6 +114,12 @@ impl<C: Cost> Run<C> {
         self.surface.alive.saturating_sub(target.max(self.forget_at)) / 2
     }
 
+    /// Lets go of what only steps need.
+    pub(super) fn let_go(&mut self) {
+        self.queue = C::Line::new(0);
+        self.cost.let_go();
+    }
+
     /// The original point that a point stands for.
     pub(super) fn original(&self, point: u32) -> u32 {
         let originals = self.parent.len() - self.copies.len();

@@ -28,6 +28,14 @@ pub(super) struct Point {
     pub out: u32,
 }
 
+impl Point {
+    /// As it lies in memory: where it is, and four bytes that are no number.
+    #[inline(always)]
+    pub(super) fn row(&self) -> [f32; 4] {
+        [self.at.x, self.at.y, self.at.z, f32::from_bits(self.out)]
+    }
+}
+
 /// An oriented surface, with or without boundary, in which every point has one fan of triangles.
 #[derive(Clone)]
 pub(super) struct Surface {
@@ -52,25 +60,16 @@ pub(super) fn previous(h: u32) -> u32 {
     (h & !3) | ((0b01_00_10 >> ((h & 3) * 2)) & 3)
 }
 
-/// A direction, in units of 1/511 of its largest component.
-#[inline(always)]
-pub(super) fn look(normal: DVec3) -> [i16; 3] {
-    let unit = normal / normal.abs().max_element();
-    // Rounds by cutting off: what rounds properly is a call of a function on older processors. A normal without length
-    // becomes all zeros, along which every direction looks.
-    unit.to_array().map(|c| (c * 511.0 + 0.5f64.copysign(c)) as i32 as i16)
-}
-
 impl Face {
     pub(super) fn new(corners: [u32; 3]) -> Self {
         let [a, b, c] = corners;
         Self { vertex: [a, b, c, 0], twin: [NONE; 4] }
     }
 
-    /// Remembers a direction: ten bits for each component.
-    pub(super) fn remember(&mut self, normal: DVec3) {
-        let [x, y, z] = look(normal).map(|component| u32::from(component as u16) & 1023);
-        self.twin[3] = x | y << 10 | z << 20;
+    /// Remembers a direction, as [`looks`](crate::collapse::eight::looks) tells it.
+    #[inline(always)]
+    pub(super) fn remember(&mut self, look: u32) {
+        self.twin[3] = look;
     }
 
     /// What was remembered, as it is kept.
