@@ -83,12 +83,14 @@ fn check_mesh(mesh: &Mesh) -> Result<(), SimplifyError> {
     if let Some(vertex) = mesh.positions.iter().position(|p| !p.is_finite()) {
         return Err(SimplifyError::NotFinite { vertex });
     }
-    let beyond = |&corner: &u32| corner as usize >= vertices;
-    match mesh.triangles.as_flattened().iter().position(beyond) {
-        Some(i) => {
-            let corner = mesh.triangles.as_flattened()[i];
-            Err(SimplifyError::NoSuchVertex { triangle: i / 3, corner, vertices })
-        }
+    let corners = mesh.triangles.as_flattened();
+    // Hardly ever is there one: that the largest is none is found sooner.
+    let largest = corners.iter().fold(0, |largest, &corner| largest.max(corner));
+    if (largest as usize) < vertices || corners.is_empty() {
+        return Ok(());
+    }
+    match corners.iter().position(|&corner| corner as usize >= vertices) {
+        Some(i) => Err(SimplifyError::NoSuchVertex { triangle: i / 3, corner: corners[i], vertices }),
         None => Ok(()),
     }
 }

@@ -5,18 +5,18 @@
 //! faces have no triangle near by that looks another way: it is enough to know some distance that is
 //! no less than that of the nearest, and to ask each triangle that is as near as that to its middle.
 
+use crate::collapse::eight::eight_from;
 use crate::collapse::locate::{locate, square};
 use crate::collapse::nearby::Nearby;
+use crate::collapse::probes::Probes;
 use crate::collapse::surface::Surface;
 use crate::collapse::witness::FARTHER;
-use common::math::{DVec3, Vec3};
+use common::math::DVec3;
+use common::math::lanes::LANES;
 use common::simd::{self, Simd, dispatch};
 
 /// Of how many faces the mean reach is that of all.
 const SAMPLES: usize = 1000;
-
-/// So many faces are looked at before anything near is asked for: one does not wait for the other.
-const AT_ONCE: usize = 256;
 
 /// A surface that was made of another.
 pub(super) struct Made<'a> {
@@ -29,22 +29,23 @@ pub(super) struct Made<'a> {
 }
 
 /// A face that is left: where it is and where to it looks.
-struct Probe {
-    middle: DVec3,
-    normal: DVec3,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Probe {
+    pub middle: DVec3,
+    pub normal: DVec3,
     /// What the original is not farther than.
-    reach: f64,
+    pub reach: f64,
 }
 
 impl Made<'_> {
     /// A point of the original that should be close to a face.
     #[inline(always)]
-    fn start(&self, face: usize) -> u32 {
+    pub(super) fn start(&self, face: usize) -> u32 {
         self.near[self.left.faces[face].corners()[0] as usize]
     }
 
     #[inline(always)]
-    fn probe(&self, face: usize) -> Probe {
+    pub(super) fn probe(&self, face: usize) -> Probe {
         let (middle, normal) = middle(self.left.places(face));
         let triangle = Triangle::of(self.original, self.was[face]);
         let start = self.original.at(self.start(face));
@@ -66,21 +67,21 @@ impl Made<'_> {
 
     #[inline(always)]
     fn suspects_with<S: Simd>(&self, simd: S, sorted: &Nearby) -> Vec<u32> {
-        let (mut suspects, mut probes) = (Vec::new(), Vec::with_capacity(AT_ONCE));
-        for first in (0..self.was.len()).step_by(AT_ONCE) {
-            let faces = first..(first + AT_ONCE).min(self.was.len());
-            probes.clear();
-            probes.extend(faces.clone().map(|face| self.probe(face)));
-            // Not by `filter`: what is called by others is not compiled for the processor that is there.
-            for (face, probe) in faces.zip(&probes) {
+        let (mut suspects, last) = (Vec::new(), self.was.len() as u32);
+        for first in (0..last).step_by(LANES) {
+            let faces = eight_from(first, last);
+            let probes = Probes::new(simd, self, &faces, sorted);
+            for face in first..last.min(first + LANES as u32) {
+                let lane = (face - first) as usize;
                 let mut nearest = f64::INFINITY;
-                sorted.near(simd, (probe.middle, probe.reach), probe.way(), |face| {
-                    if let Some(square) = probe.against(self.original, face) {
+                sorted.tell(simd, &probes.asked, lane, |other| {
+                    if let Some(square) = probes.of(lane).against(self.original, other) {
                         nearest = nearest.min(square);
                     }
                 });
-                if nearest < f64::INFINITY && !probe.looks_along(self.original, self.start(face), nearest) {
-                    suspects.push(face as u32);
+                let start = self.start(face as usize);
+                if nearest < f64::INFINITY && !probes.of(lane).looks_along(self.original, start, nearest) {
+                    suspects.push(face);
                 }
             }
         }
@@ -89,11 +90,6 @@ impl Made<'_> {
 }
 
 impl Probe {
-    #[inline(always)]
-    fn way(&self) -> Vec3 {
-        (self.normal / self.normal.abs().max_element()).as_vec3()
-    }
-
     /// The squared distance of a triangle if it is within reach and looks the other way.
     fn against(&self, original: &Surface, face: u32) -> Option<f64> {
         let triangle = Triangle::of(original, face);

@@ -4,7 +4,8 @@
 //! anybody's neighbour; where several fans meet in one point, each gets a copy of the point. So
 //! everything becomes a surface with boundary, and the places where it was cut are held fast.
 
-use crate::collapse::eight::{looks, normals};
+use crate::collapse::circle::Around;
+use crate::collapse::eight::{eight_from, looks, normals};
 use crate::collapse::surface::{Face, NONE, Point, Surface, previous};
 use common::math::lanes::LANES;
 use common::math::{Bounds, Vec3};
@@ -20,80 +21,56 @@ pub(super) struct Built {
     pub cut: Vec<bool>,
 }
 
-/// A corner of a triangle.
-#[derive(Clone, Copy, Default)]
-struct Corner {
-    /// The half-edge that leaves it.
-    leaves: u32,
-    /// The point where that ends.
-    end: u32,
-    /// The point where the half-edge starts that comes back.
-    start: u32,
-}
-
-/// Corners by their points: those of point p are `corners[first[p]..first[p + 1]]`.
-struct Around {
-    first: Vec<u32>,
-    corners: Vec<Corner>,
-}
+/// So many faces are looked at while they are at hand.
+const AT_ONCE: usize = 256;
 
 /// Builds the surface of triangles over points; no triangle has a point twice.
 pub(super) fn build(places: &[Vec3], triangles: impl Iterator<Item = [u32; 3]>) -> Built {
-    let mut faces = Vec::with_capacity(triangles.size_hint().1.unwrap_or(0));
-    faces.extend(triangles.map(Face::new));
+    let faces = Vec::with_capacity(triangles.size_hint().1.unwrap_or(0));
     let points = places.iter().map(|&at| Point { at, out: NONE }).collect();
-    let alive = faces.len();
     let mut built = Built {
-        surface: Surface { faces, points, alive, scale: scale_of(places) },
+        surface: Surface { faces, points, alive: 0, scale: scale_of(places) },
         copies: Vec::new(),
         cut: vec![false; places.len()],
     };
-    built.surface.remember_normals();
-    let around = Around::new(&built.surface);
-    for point in built.join(&around) {
-        let corners = around.of(point);
-        if built.surface.fan(point).count() < corners.len() {
-            built.split(point, corners);
+    let counts = built.surface.add_faces(triangles.map(Face::new));
+    let around = Around::new(&built.surface, counts);
+    for point in dispatch!(simd::level(), s => built.join(s, &around)) {
+        let leaves = around.of(point);
+        if built.surface.fan(point).count() < leaves.len() {
+            built.split(point, leaves);
         }
     }
     built
 }
 
 impl Surface {
-    /// Pairs what leaves a point with what comes back, from corner to corner. Whether that leads once through all of
-    /// them: then no two share a side in the same direction.
-    #[inline(always)]
-    fn join_circle(&mut self, corners: &[Corner]) -> bool {
-        let first = corners[0];
-        let mut at = first;
-        for _ in 1..corners.len() {
-            match corners.iter().find(|next| next.end == at.start) {
-                Some(next) if next.leaves != first.leaves => {
-                    self.set_twin(next.leaves, previous(at.leaves));
-                    at = *next;
-                }
-                _ => return false,
+    /// Takes faces, who remember where to they look. Tells how many corners there are at each point, and 0.
+    fn add_faces(&mut self, mut faces: impl Iterator<Item = Face>) -> Vec<u32> {
+        let mut counts = vec![0; self.points.len() + 1];
+        loop {
+            let known = self.faces.len();
+            self.faces.extend(faces.by_ref().take(AT_ONCE));
+            if self.faces.len() == known {
+                self.alive = known;
+                return counts;
             }
+            for corner in self.faces[known..].iter().flat_map(Face::corners) {
+                counts[corner as usize] += 1;
+            }
+            dispatch!(simd::level(), s => self.remember_normals(s, known as u32));
         }
-        self.set_twin(first.leaves, previous(at.leaves));
-        at.start == first.end
     }
 
-    fn remember_normals(&mut self) {
-        dispatch!(simd::level(), s => self.remember_normals_with(s));
-    }
-
+    /// From some face on.
     #[inline(always)]
-    fn remember_normals_with<S: Simd>(&mut self, simd: S) {
+    fn remember_normals<S: Simd>(&mut self, simd: S, from: u32) {
         let last = self.faces.len() as u32;
-        let mut faces = [0; LANES];
-        for first in (0..last).step_by(LANES) {
-            for lane in 0..LANES {
-                faces[lane] = (first + lane as u32).min(last - 1);
-            }
+        for first in (from..last).step_by(LANES) {
+            let faces = eight_from(first, last);
             let looks = looks(simd, normals(simd, self, &faces));
-            for lane in 0..LANES {
-                self.faces[faces[lane] as usize].remember(looks[lane] as u32);
+            for (face, look) in faces.into_iter().zip(looks) {
+                self.faces[face as usize].remember(look as u32);
             }
         }
     }
@@ -105,64 +82,40 @@ fn scale_of(places: &[Vec3]) -> f64 {
     if size > 0.0 && size.is_finite() { (-size.log2().floor()).exp2() } else { 1.0 }
 }
 
-impl Around {
-    fn new(surface: &Surface) -> Self {
-        let mut first = vec![0u32; surface.points.len() + 1];
-        for corner in surface.faces.iter().flat_map(Face::corners) {
-            first[corner as usize + 1] += 1;
-        }
-        for i in 1..first.len() {
-            first[i] += first[i - 1];
-        }
-        let mut corners = vec![Corner::default(); surface.faces.len() * 3];
-        let mut free = first.clone();
-        for (face, [a, b, c]) in (0..).zip(surface.faces.iter().map(Face::corners)) {
-            for (i, [start, point, end]) in [[c, a, b], [a, b, c], [b, c, a]].into_iter().enumerate() {
-                let slot = &mut free[point as usize];
-                corners[*slot as usize] = Corner { leaves: 4 * face + i as u32, end, start };
-                *slot += 1;
-            }
-        }
-        Self { first, corners }
-    }
-
-    fn of(&self, point: u32) -> &[Corner] {
-        let point = point as usize;
-        &self.corners[self.first[point] as usize..self.first[point + 1] as usize]
-    }
-}
-
 impl Built {
     /// Pairs the half-edges of every edge that has one on each side, from each of its ends, and finds out by which to
     /// leave a point. Returns the points that may have several fans.
-    fn join(&mut self, around: &Around) -> Vec<u32> {
+    #[inline(always)]
+    fn join<S: Simd>(&mut self, simd: S, around: &Around) -> Vec<u32> {
         let mut odd = Vec::new();
         for point in 0..self.surface.points.len() as u32 {
-            let corners = around.of(point);
-            let Some(any) = corners.first() else { continue };
-            self.surface.points[point as usize].out = any.leaves;
-            if !self.surface.join_circle(corners) {
-                self.join_each(point, corners);
+            let leaves = around.of(point);
+            let Some(&any) = leaves.first() else { continue };
+            self.surface.points[point as usize].out = any;
+            if !self.surface.join_circle(simd, leaves) {
+                self.join_each(point, leaves);
                 odd.push(point);
             }
         }
         odd
     }
 
-    /// Pairs what leaves a point if its corners are no circle.
+    /// Pairs what leaves a point if that is no circle.
     #[cold]
-    fn join_each(&mut self, point: u32, corners: &[Corner]) {
+    fn join_each(&mut self, point: u32, leaves: &[u32]) {
+        let ends: Vec<u32> = leaves.iter().map(|&h| self.surface.end(h)).collect();
+        let back: Vec<(u32, u32)> =
+            leaves.iter().map(|&h| (self.surface.start(previous(h)), previous(h))).collect();
         let mut open = None;
-        for &Corner { leaves, end, .. } in corners {
-            let same = corners.iter().filter(|other| other.end == end).count();
-            let mut back = corners.iter().filter(|other| other.start == end);
-            let (twin, more) =
-                (back.next().map_or(NONE, |other| previous(other.leaves)), back.next().is_some());
+        for (&h, end) in leaves.iter().zip(&ends) {
+            let same = ends.iter().filter(|other| *other == end).count();
+            let mut back = back.iter().filter(|(start, _)| start == end).map(|&(_, back)| back);
+            let (twin, more) = (back.next().unwrap_or(NONE), back.next().is_some());
             let is_cut = same > 1 || more;
             self.cut[point as usize] |= is_cut;
-            self.surface.set_twin(leaves, if is_cut { NONE } else { twin });
+            self.surface.set_twin(h, if is_cut { NONE } else { twin });
             if is_cut || twin == NONE {
-                open = open.or(Some(leaves));
+                open = open.or(Some(h));
             }
         }
         if let Some(open) = open {
@@ -171,9 +124,9 @@ impl Built {
     }
 
     #[cold]
-    fn split(&mut self, point: u32, corners: &[Corner]) {
+    fn split(&mut self, point: u32, leaves: &[u32]) {
         self.cut[point as usize] = true;
-        let mut left: Vec<u32> = corners.iter().map(|corner| corner.leaves).collect();
+        let mut left = leaves.to_vec();
         let mut fan = point;
         loop {
             let done: Vec<u32> = self.surface.fan(fan).collect();

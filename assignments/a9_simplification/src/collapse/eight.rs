@@ -7,6 +7,12 @@ use common::math::Vec3;
 use common::math::lanes::{LANES, Vectors, add, dot, narrow, scale, subtract, turn, widen};
 use common::simd::{Simd, SimdBase, SimdFloat, f32x4, f32x8, f64x8, i32x8};
 
+/// Eight numbers from one on, below a limit: where that comes too soon, the last one again and again.
+#[inline(always)]
+pub(super) fn eight_from(first: u32, limit: u32) -> [u32; LANES] {
+    std::array::from_fn(|lane| (first + lane as u32).min(limit - 1))
+}
+
 /// Where places are seen from, and in what unit.
 #[derive(Clone, Copy)]
 pub(super) struct Frame {
@@ -45,18 +51,60 @@ impl Eight {
         let reach = dot(a_away, a_away).max(dot(b_away, b_away)).max(dot(c_away, c_away)).sqrt();
         let low = [a[0].min(b[0]).min(c[0]), a[1].min(b[1]).min(c[1]), a[2].min(b[2]).min(c[2])];
         let high = [a[0].max(b[0]).max(c[0]), a[1].max(b[1]).max(c[1]), a[2].max(b[2]).max(c[2])];
+        let (low, high) = narrowed(simd, (low, high), lattice.spread());
         Self { balls: units.balls(simd, middle, reach), cells: lattice.met(simd, low, high) }
     }
+
+    /// Whether one of them is too large for cells.
+    #[inline(always)]
+    pub(super) fn is_large(&self, lane: usize) -> bool {
+        (self.balls.too_large | self.cells.many) >> lane & 1 != 0
+    }
+}
+
+/// Boxes that are smaller by so much on every side, but no less than their middles.
+#[inline(always)]
+fn narrowed<S: Simd>(
+    simd: S,
+    (low, high): (Vectors<f32x8<S>>, Vectors<f32x8<S>>),
+    by: f32,
+) -> (Vectors<f32x8<S>>, Vectors<f32x8<S>>) {
+    let (zero, half, by) = (f32x8::splat(simd, 0.0), f32x8::splat(simd, 0.5), f32x8::splat(simd, by));
+    let middle = scale(add(low, high), half);
+    let [x, y, z] = subtract(scale(subtract(high, low), half), [by; 3]);
+    let left = [x.max(zero), y.max(zero), z.max(zero)];
+    (subtract(middle, left), add(middle, left))
 }
 
 /// Normals of eight faces, as long as twice the area, with the bits of [`Surface::normal`].
 #[inline(always)]
 pub(super) fn normals<S: Simd>(simd: S, surface: &Surface, faces: &[u32; LANES]) -> Vectors<f64x8<S>> {
+    normals_of(corners_at(simd, surface, faces))
+}
+
+/// The same by corners.
+#[inline(always)]
+pub(super) fn normals_of<S: Simd>([a, b, c]: [Vectors<f64x8<S>>; 3]) -> Vectors<f64x8<S>> {
+    let (u, v) = (subtract(b, a), subtract(c, a));
+    [u[1] * v[2] - v[1] * u[2], u[2] * v[0] - v[2] * u[0], u[0] * v[1] - v[0] * u[1]]
+}
+
+/// The corners of eight faces, with the bits of [`Surface::places`].
+#[inline(always)]
+pub(super) fn corners_at<S: Simd>(
+    simd: S,
+    surface: &Surface,
+    faces: &[u32; LANES],
+) -> [Vectors<f64x8<S>>; 3] {
     let unit = f64x8::splat(simd, surface.scale);
     let [a, b, c] = corners(simd, surface, faces);
-    let a = scale(wide(simd, a), unit);
-    let (u, v) = (subtract(scale(wide(simd, b), unit), a), subtract(scale(wide(simd, c), unit), a));
-    [u[1] * v[2] - v[1] * u[2], u[2] * v[0] - v[2] * u[0], u[0] * v[1] - v[0] * u[1]]
+    [scale(wide(simd, a), unit), scale(wide(simd, b), unit), scale(wide(simd, c), unit)]
+}
+
+/// Eight points, with the bits of [`Surface::at`].
+#[inline(always)]
+pub(super) fn points_at<S: Simd>(simd: S, surface: &Surface, points: &[u32; LANES]) -> Vectors<f64x8<S>> {
+    scale(wide(simd, places(simd, surface, points)), f64x8::splat(simd, surface.scale))
 }
 
 /// In double precision. Not by a closure, which would be a call of its own.

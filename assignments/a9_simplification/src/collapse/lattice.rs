@@ -6,7 +6,10 @@ use common::math::lanes::{LANES, Vectors, scale, subtract};
 use common::simd::{Simd, SimdBase, SimdMask, f32x8, i32x8};
 
 /// What meets more cells than this is better held against everything.
-const MOST_CELLS: u64 = 1024;
+const MOST_CELLS: f32 = 1024.0;
+
+/// See [`Lattice::spread`]: in sides of a cell.
+const SPREAD: f32 = 0.1;
 
 /// The greatest number of a cell.
 const FARTHEST: f32 = i16::MAX as f32;
@@ -23,11 +26,11 @@ pub(super) struct Lattice {
     last_slot: usize,
 }
 
-/// Cells in a box: the lowest, and how many more there are along each axis.
-#[derive(Clone, Copy, Default)]
+/// Cells in a box: the slot of the lowest, and how many more there are along each axis, ten bits for each.
+#[derive(Clone, Copy)]
 pub(super) struct Cells {
-    low: [i32; 3],
-    more: [u32; 3],
+    slot: i32,
+    more: i32,
 }
 
 impl Lattice {
@@ -42,6 +45,13 @@ impl Lattice {
         self.fineness
     }
 
+    /// By how much boxes that are sorted into cells are made smaller on every side: who asks looks farther by as much. So
+    /// most meet fewer cells.
+    #[inline(always)]
+    pub(super) fn spread(&self) -> f32 {
+        SPREAD / self.fineness
+    }
+
     /// How many slots there are.
     pub(super) fn slots(&self) -> usize {
         self.last_slot + 1
@@ -54,13 +64,14 @@ impl Lattice {
         (x * self.fineness).clamp(-FARTHEST, FARTHEST) as i32
     }
 
-    /// The cells that a box meets.
-    #[inline(always)]
-    pub(super) fn cells(&self, low: Vec3, high: Vec3) -> Cells {
-        let low = [self.cell(low.x), self.cell(low.y), self.cell(low.z)];
-        let high = [self.cell(high.x), self.cell(high.y), self.cell(high.z)];
-        let more = [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
-        Cells { low, more: [more[0] as u32, more[1] as u32, more[2] as u32] }
+    /// The cells that a box meets; `None` if there are so many that it is better not to ask for each.
+    pub(super) fn cells(&self, low: Vec3, high: Vec3) -> Option<Cells> {
+        let [x, y, z] = [self.cell(low.x), self.cell(low.y), self.cell(low.z)];
+        let more = [self.cell(high.x) - x, self.cell(high.y) - y, self.cell(high.z) - z];
+        let are_few =
+            more.iter().map(|&more| f64::from(more) + 1.0).product::<f64>() <= f64::from(MOST_CELLS);
+        let slot = x.wrapping_add(y.wrapping_mul(BESIDE)).wrapping_add(z.wrapping_mul(BEHIND));
+        are_few.then_some(Cells { slot, more: more[0] | more[1] << 10 | more[2] << 20 })
     }
 
     /// The cells of eight places.
@@ -80,37 +91,31 @@ impl Lattice {
     pub(super) fn met<S: Simd>(&self, simd: S, low: Vectors<f32x8<S>>, high: Vectors<f32x8<S>>) -> Met {
         let (low, high) = (self.eight_cells(simd, low), self.eight_cells(simd, high));
         let more = subtract(high, low);
-        let all = more[0] | more[1] | more[2];
-        let by = |x: i32| i32x8::splat(simd, x);
-        let slot = (low[0] + low[1] * by(BESIDE) + low[2] * by(BEHIND)) & by(self.last_slot as i32);
-        let mut met = Met { one: all.simd_eq(by(0)).to_bitmask(), ..Met::default() };
+        let slot = low[0] + low[1] * i32x8::splat(simd, BESIDE) + low[2] * i32x8::splat(simd, BEHIND);
+        let one = f32x8::splat(simd, 1.0);
+        let [x, y, z] =
+            [simd.cvt_f32_i32x8(more[0]), simd.cvt_f32_i32x8(more[1]), simd.cvt_f32_i32x8(more[2])];
+        let count = (x + one) * (y + one) * (z + one);
+        let mut met =
+            Met { many: count.simd_gt(f32x8::splat(simd, MOST_CELLS)).to_bitmask(), ..Met::default() };
         slot.store_slice(&mut met.slot);
-        for axis in 0..3 {
-            low[axis].store_slice(&mut met.low[axis]);
-            more[axis].store_slice(&mut met.more[axis]);
-        }
+        (more[0] | (more[1] << 10) | (more[2] << 20)).store_slice(&mut met.more);
         met
     }
 
     /// The slots of some cells. Those of neighbours along x are neighbours, too.
     #[inline(always)]
-    pub(super) fn slots_of(&self, cells: &Cells) -> Slots {
-        let (next, more) = (first_slot(cells), cells.more);
-        Slots { next, more, left: more, last_slot: self.last_slot, is_over: false }
+    pub(super) fn slots_of(&self, cells: Cells) -> Slots {
+        let more = [cells.more & 1023, cells.more >> 10 & 1023, cells.more >> 20];
+        Slots { next: cells.slot, more, left: more, last_slot: self.last_slot, is_over: false }
     }
-}
-
-/// The slot of the lowest cell in an endless table.
-#[inline(always)]
-fn first_slot(&Cells { low: [x, y, z], .. }: &Cells) -> i32 {
-    x.wrapping_add(y.wrapping_mul(BESIDE)).wrapping_add(z.wrapping_mul(BEHIND))
 }
 
 /// See [`Lattice::slots_of`].
 pub(super) struct Slots {
     next: i32,
-    more: [u32; 3],
-    left: [u32; 3],
+    more: [i32; 3],
+    left: [i32; 3],
     last_slot: usize,
     is_over: bool,
 }
@@ -129,10 +134,10 @@ impl Iterator for Slots {
             (self.left[0], self.next) = (x_left - 1, self.next.wrapping_add(1));
         } else if y_left > 0 {
             self.left = [more[0], y_left - 1, z_left];
-            self.next = self.next.wrapping_add(BESIDE).wrapping_sub(more[0] as i32);
+            self.next = self.next.wrapping_add(BESIDE).wrapping_sub(more[0]);
         } else if z_left > 0 {
             self.left = [more[0], more[1], z_left - 1];
-            let back = (more[1] as i32).wrapping_mul(BESIDE).wrapping_add(more[0] as i32);
+            let back = more[1].wrapping_mul(BESIDE).wrapping_add(more[0]);
             self.next = self.next.wrapping_add(BEHIND).wrapping_sub(back);
         } else {
             self.is_over = true;
@@ -144,33 +149,16 @@ impl Iterator for Slots {
 /// The cells that eight boxes meet.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Met {
-    /// A bit for each that meets only one.
-    pub one: u64,
-    /// Of these the slots.
-    pub slot: [i32; LANES],
-    low: [[i32; LANES]; 3],
-    more: [[i32; LANES]; 3],
+    /// A bit for each that meets so many that it is better not to ask for each.
+    pub many: u64,
+    slot: [i32; LANES],
+    more: [i32; LANES],
 }
 
 impl Met {
     /// Those of one box.
     #[inline(always)]
     pub(super) fn cells(&self, lane: usize) -> Cells {
-        let [x, y, z] = &self.more;
-        let low = [self.low[0][lane], self.low[1][lane], self.low[2][lane]];
-        Cells { low, more: [x[lane] as u32, y[lane] as u32, z[lane] as u32] }
-    }
-}
-
-impl Cells {
-    /// Whether there are so many that it is better not to ask for each.
-    #[inline(always)]
-    pub(super) fn are_many(&self) -> bool {
-        let [x, y, z] = self.more.map(u64::from);
-        // Most are few.
-        if x | y | z < 8 {
-            return false;
-        }
-        (x + 1) * (y + 1) * (z + 1) > MOST_CELLS
+        Cells { slot: self.slot[lane], more: self.more[lane] }
     }
 }

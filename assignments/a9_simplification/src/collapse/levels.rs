@@ -45,7 +45,7 @@ pub(crate) trait Level: Clone {
     /// The mesh at this level; with the bound of its error if that is wanted.
     fn simplified(&self, stopped: Stopped, bound: bool) -> Simplified;
 
-    /// The same for the last level of a run: what only steps need is let go before more is asked of the memory.
+    /// The same for the last level of a run: what is not needed any more is let go before more is asked of the memory.
     fn into_simplified(self, stopped: Stopped, bound: bool) -> Simplified;
 }
 
@@ -141,6 +141,21 @@ fn repeats(triangles: impl Iterator<Item = [u32; 3]>) -> HashSet<usize> {
 }
 
 impl<C: Cost> Levels<'_, C> {
+    /// The mesh that is left, finished.
+    fn finished(&self, mut snapshot: Snapshot, stopped: Stopped, bound: bool) -> Simplified {
+        let Prepared { welded, built, irregular, .. } = self.prepared;
+        let changed = snapshot.surface.alive < built.surface.faces.len();
+        let mut against = 0;
+        if changed {
+            let near = closest(&built.surface, &snapshot.surface, &snapshot.becomes);
+            self.fit(&mut snapshot, &near);
+            against = self.mend(&mut snapshot, &near);
+        }
+        let error = bound.then(|| if changed { self.error(&snapshot) } else { 0.0 });
+        let (mesh, becomes) = snapshot.mesh(&welded.point_of, self.run.wedges.as_ref());
+        Simplified { mesh, stopped, error, against, becomes, irregular: *irregular }
+    }
+
     /// Moves the points that are left to where the original wants them; `near` tells for each a point
     /// of the original that is close.
     fn fit(&self, snapshot: &mut Snapshot, near: &[u32]) {
@@ -205,22 +220,13 @@ impl<C: Cost> Level for Levels<'_, C> {
     }
 
     fn simplified(&self, stopped: Stopped, bound: bool) -> Simplified {
-        let Prepared { welded, built, irregular, .. } = self.prepared;
-        let mut snapshot = Snapshot::take(&self.run);
-        let changed = self.faces() < built.surface.faces.len();
-        let mut against = 0;
-        if changed {
-            let near = closest(&built.surface, &snapshot.surface, &snapshot.becomes);
-            self.fit(&mut snapshot, &near);
-            against = self.mend(&mut snapshot, &near);
-        }
-        let error = bound.then(|| if changed { self.error(&snapshot) } else { 0.0 });
-        let (mesh, becomes) = snapshot.mesh(&welded.point_of, self.run.wedges.as_ref());
-        Simplified { mesh, stopped, error, against, becomes, irregular: *irregular }
+        self.finished(Snapshot::take(&self.run), stopped, bound)
     }
 
     fn into_simplified(mut self, stopped: Stopped, bound: bool) -> Simplified {
-        self.run.let_go();
-        self.simplified(stopped, bound)
+        self.run.let_go_of_prices();
+        let snapshot = Snapshot::take(&self.run);
+        self.run.let_go_of_surface();
+        self.finished(snapshot, stopped, bound)
     }
 }

@@ -1,19 +1,25 @@
 //! The faces of a surface in cubic cells: which are near a place, and do not look where one looks oneself?
 
-use crate::collapse::eight::{Eight, Frame};
-use crate::collapse::lattice::Lattice;
-use crate::collapse::packed::{Block, Packed, ROUNDING, Scale};
+use crate::collapse::eight::{Eight, Frame, eight_from};
+use crate::collapse::lattice::{Cells, Lattice, Met};
+use crate::collapse::packed::{Block, Question, Questions, ROUNDING, Scale};
 use crate::collapse::surface::Surface;
-use common::math::lanes::LANES;
+use common::math::lanes::{LANES, Vectors, add, narrow, subtract};
 use common::math::{DVec3, Vec3};
-use common::simd::{self, Simd, dispatch};
+use common::simd::{self, Simd, SimdBase, dispatch, f32x8, f64x8};
 
 /// Side of a cell, in mean sides of the faces …
-const SIDES: f64 = 1.9;
+const SIDES: f64 = 2.2;
 /// … or in terms of how far one looks.
 const REACHES: f64 = 1.5;
 /// Units in the side of a cell.
 const UNITS: f32 = 256.0;
+
+/// What is asked from eight places.
+pub(super) struct Asked {
+    questions: Questions,
+    cells: Met,
+}
 
 /// The faces of a surface, sorted by cells.
 pub(super) struct Nearby<'a> {
@@ -51,84 +57,121 @@ impl<'a> Nearby<'a> {
 
     #[inline(always)]
     fn sort<S: Simd>(&mut self, simd: S) {
-        let mut all = 0;
-        self.each_slot(simd, |this, slot, _, _, _| {
-            this.first[slot] += 1;
-            all += 1;
-        });
+        let mut eights = Vec::with_capacity(self.surface.faces.len().div_ceil(LANES));
+        let all = self.count(simd, &mut eights);
         let mut before = 0;
         for first in &mut self.first {
             (*first, before) = (before, before + *first);
         }
         // What is left over of the last eight is a face without size that looks nowhere: it may be told.
-        self.blocks = vec![Block::EMPTY; (all as usize).div_ceil(LANES)];
-        self.large.clear();
-        self.each_slot(simd, |this, slot, face, balls, lane| {
-            let at = this.first[slot] as usize;
-            this.first[slot] += 1;
-            let normal = this.surface.faces[face as usize].remembered();
-            this.blocks[at / LANES].set(at % LANES, (face, normal), balls, lane);
-        });
+        self.blocks = vec![Block::EMPTY; all.div_ceil(LANES)];
+        self.fill(&eights);
         // Each slot has been filled to where the next begins.
         self.first.rotate_right(1);
         self.first[0] = 0;
     }
 
-    /// Calls `what` with every slot that a face is in, the face, and the ball around it; notes those that are large.
+    /// Finds out in which slots each face is, how many there are in each slot, and how many in all.
     #[inline(always)]
-    fn each_slot<S: Simd>(&mut self, simd: S, mut what: impl FnMut(&mut Self, usize, u32, &Packed, usize)) {
-        let last = self.surface.faces.len() as u32;
-        let mut faces = [0; LANES];
+    fn count<S: Simd>(&mut self, simd: S, eights: &mut Vec<Eight>) -> usize {
+        let (last, mut all) = (self.surface.faces.len() as u32, 0);
         for first in (0..last).step_by(LANES) {
-            for lane in 0..LANES {
-                faces[lane] = (first + lane as u32).min(last - 1);
-            }
+            let faces = eight_from(first, last);
             let eight = Eight::new(simd, self.surface, &faces, (self.frame, self.scale, self.lattice));
-            for lane in 0..LANES.min((last - first) as usize) {
-                let bit = 1 << lane;
-                if eight.balls.too_large & bit != 0 {
-                    self.large.push(faces[lane]);
-                } else if eight.cells.one & bit != 0 {
-                    what(self, eight.cells.slot[lane] as usize, faces[lane], &eight.balls, lane);
-                } else {
-                    let cells = eight.cells.cells(lane);
-                    if cells.are_many() {
-                        self.large.push(faces[lane]);
-                        continue;
-                    }
-                    for slot in self.lattice.slots_of(&cells) {
-                        what(self, slot, faces[lane], &eight.balls, lane);
-                    }
+            for face in first..last.min(first + LANES as u32) {
+                let lane = (face - first) as usize;
+                if eight.is_large(lane) {
+                    self.large.push(face);
+                    continue;
                 }
+                for slot in self.lattice.slots_of(eight.cells.cells(lane)) {
+                    self.first[slot] += 1;
+                    all += 1;
+                }
+            }
+            eights.push(eight);
+        }
+        all
+    }
+
+    /// Puts the faces into their slots.
+    #[inline(always)]
+    fn fill(&mut self, eights: &[Eight]) {
+        for (number, face) in self.surface.faces.iter().enumerate() {
+            let (eight, lane) = (&eights[number / LANES], number % LANES);
+            if eight.is_large(lane) {
+                continue;
+            }
+            let ball = (number as u32, face.remembered());
+            for slot in self.lattice.slots_of(eight.cells.cells(lane)) {
+                let at = self.first[slot] as usize;
+                self.first[slot] += 1;
+                self.blocks[at / LANES].set(at % LANES, ball, &eight.balls, lane);
             }
         }
     }
 
-    /// Calls `what` with every face that meets the cells around a place, as far as one looks, and is not known to look
-    /// along a normal, given in terms of its largest component; with some of them more than once, and with others that are
-    /// only near. If there is no normal, nothing looks along it.
+    /// What is asked by [`Nearby::near`] from eight places.
+    #[inline(always)]
+    pub(super) fn ask<S: Simd>(
+        &self,
+        simd: S,
+        (at, reach): (Vectors<f64x8<S>>, f64x8<S>),
+        normal: Vectors<f64x8<S>>,
+    ) -> Asked {
+        let origin = self.frame.origin.as_dvec3() * self.surface.scale;
+        let of = |x: f64| f64x8::splat(simd, x);
+        let [x, y, z] = subtract(at, [of(origin.x), of(origin.y), of(origin.z)]);
+        let p = [narrow(simd, x), narrow(simd, y), narrow(simd, z)];
+        let reach = narrow(simd, reach) + f32x8::splat(simd, ROUNDING);
+        let largest = normal[0].abs().max(normal[1].abs().max(normal[2].abs()));
+        let normal = [
+            narrow(simd, normal[0] / largest),
+            narrow(simd, normal[1] / largest),
+            narrow(simd, normal[2] / largest),
+        ];
+        let aside = reach + f32x8::splat(simd, self.lattice.spread());
+        let cells = self.lattice.met(simd, subtract(p, [aside; 3]), add(p, [aside; 3]));
+        Asked { questions: self.scale.questions(simd, p, reach, normal), cells }
+    }
+
+    /// Calls `what` with every face that meets the cells around one of eight places, as far as one looks, and is not known
+    /// to look along a normal; with some of them more than once, and with others that are only near.
+    #[inline(always)]
+    pub(super) fn tell<S: Simd>(&self, simd: S, asked: &Asked, lane: usize, what: impl FnMut(u32)) {
+        if (asked.cells.many | asked.questions.too_far) >> lane & 1 != 0 {
+            return (0..self.surface.faces.len() as u32).for_each(what);
+        }
+        self.tell_of(simd, asked.cells.cells(lane), &asked.questions.of(lane), what);
+    }
+
+    /// The same for one place; if there is no normal, nothing looks along it. It is given in terms of its largest component.
     #[inline(always)]
     pub(super) fn near<S: Simd>(
         &self,
         simd: S,
         (at, reach): (DVec3, f64),
         normal: Vec3,
-        mut what: impl FnMut(u32),
+        what: impl FnMut(u32),
     ) {
         let origin = self.frame.origin.as_dvec3() * self.surface.scale;
         let (p, reach) = ((at - origin).as_vec3(), reach as f32 + ROUNDING);
-        let cells = self.lattice.cells(p - reach, p + reach);
-        let question = self.scale.question(p, reach, normal).filter(|_| !cells.are_many());
-        let Some(question) = question else {
-            return (0..self.surface.faces.len() as u32).for_each(what);
-        };
-        for slot in self.lattice.slots_of(&cells) {
+        let aside = reach + self.lattice.spread();
+        match (self.lattice.cells(p - aside, p + aside), self.scale.question(p, reach, normal)) {
+            (Some(cells), Some(question)) => self.tell_of(simd, cells, &question, what),
+            _ => (0..self.surface.faces.len() as u32).for_each(what),
+        }
+    }
+
+    #[inline(always)]
+    fn tell_of<S: Simd>(&self, simd: S, cells: Cells, question: &Question, mut what: impl FnMut(u32)) {
+        for slot in self.lattice.slots_of(cells) {
             let (from, to) = (self.first[slot] as usize, self.first[slot + 1] as usize);
             if from == to {
                 continue;
             }
             for block in &self.blocks[from / LANES..to.div_ceil(LANES)] {
-                let mut found = block.found(simd, &question);
+                let mut found = block.found(simd, question);
                 while found != 0 {
                     what(block.numbers[found.trailing_zeros() as usize]);
                     found &= found - 1;

@@ -5,7 +5,7 @@
 //! what is not told apart from it is only asked in vain.
 
 use common::math::Vec3;
-use common::math::lanes::{LANES, Vectors};
+use common::math::lanes::{LANES, Stored, Vectors, store};
 use common::simd::{Simd, SimdBase, SimdMask, f32x8, i32x8};
 
 /// Places are rounded to single precision, in units of about the box: more than is lost of a distance.
@@ -84,6 +84,47 @@ impl Scale {
     pub(super) fn question(self, at: Vec3, reach: f32, normal: Vec3) -> Option<Question> {
         let reach = (reach + ROUNDING) * self.0 + WHOLE;
         (reach < LARGEST).then(|| Question { at: self.whole(at), reach, normal })
+    }
+}
+
+/// What is asked from eight places.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Questions {
+    at: [[i32; LANES]; 3],
+    reach: [f32; LANES],
+    normal: Stored<f32>,
+    /// A bit for each that looks too far.
+    pub too_far: u64,
+}
+
+impl Scale {
+    /// See [`Scale::question`].
+    #[inline(always)]
+    pub(super) fn questions<S: Simd>(
+        self,
+        simd: S,
+        at: Vectors<f32x8<S>>,
+        reach: f32x8<S>,
+        normal: Vectors<f32x8<S>>,
+    ) -> Questions {
+        let of = |x: f32| f32x8::splat(simd, x);
+        let reach = (reach + of(ROUNDING)) * of(self.0) + of(WHOLE);
+        let too_far = !reach.simd_lt(of(LARGEST)).to_bitmask() & 0xff;
+        let mut questions = Questions { normal: store(normal), too_far, ..Questions::default() };
+        reach.store_slice(&mut questions.reach);
+        for (whole, at) in questions.at.iter_mut().zip(at) {
+            simd.cvt_i32_f32x8(at * of(self.0)).store_slice(whole);
+        }
+        questions
+    }
+}
+
+impl Questions {
+    #[inline(always)]
+    pub(super) fn of(&self, lane: usize) -> Question {
+        let ([x, y, z], [u, v, w]) = (&self.at, &self.normal);
+        let normal = Vec3::new(u[lane], v[lane], w[lane]);
+        Question { at: [x[lane], y[lane], z[lane]], reach: self.reach[lane], normal }
     }
 }
 

@@ -115,9 +115,14 @@ impl<C: Cost> Run<C> {
     }
 
     /// Lets go of what only steps need.
-    pub(super) fn let_go(&mut self) {
+    pub(super) fn let_go_of_prices(&mut self) {
         self.queue = C::Line::new(0);
         self.cost.let_go();
+    }
+
+    /// Lets go of what is left, of which there is a snapshot.
+    pub(super) fn let_go_of_surface(&mut self) {
+        (self.surface.faces, self.surface.points) = (Vec::new(), Vec::new());
     }
 
     /// The original point that a point stands for.
