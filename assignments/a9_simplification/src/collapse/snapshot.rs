@@ -13,7 +13,7 @@ pub(super) struct Snapshot {
     pub becomes: Vec<u32>,
     /// Points that must stay where they are.
     pub fixed: Vec<bool>,
-    /// For every point the first of those that are copies of the same.
+    /// For every point the first of those that are copies of the same; nothing if there are no copies.
     first: Vec<u32>,
     /// For every face its number in the run, and in the original.
     pub faces: Vec<u32>,
@@ -25,9 +25,11 @@ impl Snapshot {
         let (number, points) = numbered(run);
         let mut faces = Vec::with_capacity(run.surface.alive);
         let mut new_face = vec![NONE; run.surface.faces.len()];
-        for face in (0..run.surface.faces.len() as u32).filter(|&face| run.surface.is_alive(face)) {
-            new_face[face as usize] = faces.len() as u32;
-            faces.push(face);
+        for ((number, face), new) in (0..).zip(&run.surface.faces).zip(&mut new_face) {
+            if !face.is_gone() {
+                *new = faces.len() as u32;
+                faces.push(number);
+            }
         }
         let half_edge = |h: u32| if h == NONE { NONE } else { new_face[(h >> 2) as usize] << 2 | (h & 3) };
         let surface = Surface {
@@ -43,7 +45,10 @@ impl Snapshot {
             alive: faces.len(),
             scale: run.surface.scale,
         };
-        let first = points.iter().map(|&p| first_of(run, &number, p)).collect();
+        let first = match run.copies.is_empty() {
+            true => Vec::new(),
+            false => points.iter().map(|&p| first_of(run, &number, p)).collect(),
+        };
         let mut becomes = roots(&run.parent);
         becomes.truncate(run.parent.len() - run.copies.len());
         becomes.iter_mut().for_each(|root| *root = number[*root as usize]);
@@ -59,24 +64,34 @@ impl Snapshot {
     }
 
     fn plain_mesh(&self, point_of: &[u32]) -> (Mesh, Vec<u32>) {
-        let mut mesh = Mesh::default();
+        let mut becomes: Vec<u32> = point_of.iter().map(|&point| became(&self.becomes, point)).collect();
+        let mut mesh = Mesh {
+            positions: self.surface.points.iter().map(|point| point.at).collect(),
+            triangles: self.surface.faces.iter().map(Face::corners).collect(),
+            ..Mesh::default()
+        };
+        if !self.first.is_empty() {
+            let vertex = self.without_copies(&mut mesh);
+            becomes.iter_mut().for_each(|point| *point = became(&vertex, *point));
+        }
+        (mesh, becomes)
+    }
+
+    /// Leaves only the first of points that are copies of the same. For every point the vertex that it is then.
+    fn without_copies(&self, mesh: &mut Mesh) -> Vec<u32> {
         let mut vertex = vec![NONE; self.first.len()];
-        for (point, &first) in self.first.iter().enumerate() {
+        let all = std::mem::take(&mut mesh.positions);
+        for (point, (&first, at)) in self.first.iter().zip(all).enumerate() {
+            // The first comes before its copies.
             if first == point as u32 {
                 vertex[point] = mesh.positions.len() as u32;
-                mesh.positions.push(self.surface.points[point].at);
+                mesh.positions.push(at);
+            } else {
+                vertex[point] = vertex[first as usize];
             }
         }
-        let vertex_of = |point: u32| vertex[self.first[point as usize] as usize];
-        mesh.triangles = self.surface.faces.iter().map(|face| face.corners().map(vertex_of)).collect();
-        let becomes = |&point: &u32| match point {
-            NONE => NONE,
-            point => match self.becomes[point as usize] {
-                NONE => NONE,
-                point => vertex_of(point),
-            },
-        };
-        (mesh, point_of.iter().map(becomes).collect())
+        mesh.triangles.as_flattened_mut().iter_mut().for_each(|corner| *corner = vertex[*corner as usize]);
+        vertex
     }
 
     fn mesh_with(&self, wedges: &Wedges) -> (Mesh, Vec<u32>) {
@@ -98,6 +113,12 @@ impl Snapshot {
         let becomes = roots(&wedges.parent).into_iter().map(|wedge| vertex[wedge as usize]).collect();
         (mesh, becomes)
     }
+}
+
+/// What became of something, if that is still there.
+#[inline(always)]
+fn became(becomes: &[u32], number: u32) -> u32 {
+    if number == NONE { NONE } else { becomes[number as usize] }
 }
 
 /// New numbers of the points that are left, and these points.
