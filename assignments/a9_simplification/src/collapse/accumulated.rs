@@ -142,6 +142,7 @@ impl Cost for Accumulated {
     type Line = Banded;
 
     const PATIENCE: u32 = 4;
+    const EARLY_PATIENCE: u32 = 16;
     const IS_QUICK: bool = true;
 
     #[inline(always)]

@@ -40,6 +40,9 @@ pub(super) trait Cost: Clone {
     /// How many drawers dearer than thought an edge may be and still not be put back.
     const PATIENCE: u32 = 0;
 
+    /// The same as long as nothing has been forgotten: much is left that costs as little.
+    const EARLY_PATIENCE: u32 = Self::PATIENCE;
+
     /// Whether what is sure at a quick look is not looked at closely, so that [`Cost::merged`] is told nothing of the ring;
     /// what was refused has to wait until a step ends at it.
     const IS_QUICK: bool = false;

@@ -49,6 +49,8 @@ pub(super) struct Run<C: Cost> {
     forget_at: usize,
     /// So many were left when all edges were priced last.
     asked_at: usize,
+    /// How many drawers dearer than thought an edge may be now and still not be put back.
+    patience: u32,
 }
 
 impl<C: Cost> Run<C> {
@@ -66,6 +68,7 @@ impl<C: Cost> Run<C> {
             rim: Rim::default(),
             forget_at: share(surface.alive, FIRST_MEMORY),
             asked_at: surface.alive,
+            patience: C::EARLY_PATIENCE,
             surface,
         };
         run.cost.price_all(&run.surface, |h, cost| run.queue.push(h, C::Line::turn(cost)));
@@ -81,13 +84,14 @@ impl<C: Cost> Run<C> {
             if self.surface.alive <= self.forget_at {
                 self.cost.forget(&self.surface);
                 self.forget_at = share(self.surface.alive, MEMORY);
+                self.patience = C::PATIENCE;
             }
             if !self.surface.is_alive(h >> 2) {
                 continue;
             }
             let offer = self.cost.price(&self.surface, h);
             let now = C::Line::turn(offer.cost);
-            if now > C::Line::bear(turn, C::PATIENCE) {
+            if now > C::Line::bear(turn, self.patience) {
                 self.queue.push(h, now);
             } else {
                 self.try_step(h, turn, &offer);
@@ -171,7 +175,7 @@ impl<C: Cost> Run<C> {
         let place_of = (!self.copies.is_empty()).then_some(|point| self.original(point));
         if ring.keeps_topology(surface, h, place_of) && ring.keeps_shape(surface, at) {
             let now = C::Line::turn(offer.cost + C::lost(&ring, from, at));
-            if now > C::Line::bear(turn, C::PATIENCE) {
+            if now > C::Line::bear(turn, self.patience) {
                 self.queue.push(h, now);
             } else {
                 self.step(h, place, from, &ring);
