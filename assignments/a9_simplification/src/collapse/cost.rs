@@ -40,7 +40,8 @@ pub(super) trait Cost: Clone {
     /// How many drawers dearer than thought an edge may be and still not be put back.
     const PATIENCE: u32 = 0;
 
-    /// The same as long as nothing has been forgotten: much is left that costs as little.
+    /// The same as long as nothing has been forgotten: much is left that costs as little, and most prices that are worked out
+    /// only say that it is not an edge's turn yet.
     const EARLY_PATIENCE: u32 = Self::PATIENCE;
 
     /// Whether what is sure at a quick look is not looked at closely, so that [`Cost::merged`] is told nothing of the ring;
