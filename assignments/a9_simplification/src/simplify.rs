@@ -86,7 +86,7 @@ fn check_mesh(mesh: &Mesh) -> Result<(), SimplifyError> {
     let corners = mesh.triangles.as_flattened();
     // Hardly ever is there one: that the largest is none is found sooner.
     let largest = corners.iter().fold(0, |largest, &corner| largest.max(corner));
-    if (largest as usize) < vertices || corners.is_empty() {
+    if (largest as usize) < vertices {
         return Ok(());
     }
     match corners.iter().position(|&corner| corner as usize >= vertices) {
@@ -105,43 +105,28 @@ fn check_goal(number: usize, goal: &Goal) -> Result<(), SimplifyError> {
 }
 
 fn levels(mut levels: impl Level, goals: &[Goal], bound: bool) -> Vec<Simplified> {
-    let Some((last, before)) = goals.split_last() else { return Vec::new() };
-    let all = levels.faces();
-    let mut results = Vec::with_capacity(goals.len());
+    let (all, mut results) = (levels.faces(), Vec::with_capacity(goals.len()));
+    let Some((last, before)) = goals.split_last() else { return results };
     for goal in before {
-        results.push(match target(all, goal) {
-            Target::Faces(faces) => {
-                let stopped = stop(&mut levels, faces);
-                levels.simplified(stopped, bound)
-            }
-            Target::Error(error) => within(&mut levels, error),
-        });
+        let reached = reach(&mut levels, all, goal);
+        results.push(reached.unwrap_or_else(|stopped| levels.simplified(stopped, bound)));
     }
-    results.push(match target(all, last) {
-        Target::Faces(faces) => {
-            let stopped = stop(&mut levels, faces);
-            levels.into_simplified(stopped, bound)
-        }
-        Target::Error(error) => within(&mut levels, error),
-    });
+    let reached = reach(&mut levels, all, last);
+    results.push(reached.unwrap_or_else(|stopped| levels.into_simplified(stopped, bound)));
     results
 }
 
-/// What a goal asks of a mesh of so many triangles.
-enum Target {
-    Faces(usize),
-    Error(f64),
-}
-
-fn target(all: usize, goal: &Goal) -> Target {
+/// Goes on to a goal: the mesh if it had to be made to know the error, else why the run stopped there.
+fn reach(levels: &mut impl Level, all: usize, goal: &Goal) -> Result<Simplified, Stopped> {
     match *goal {
-        Goal::Faces(faces) => Target::Faces(faces),
+        Goal::Faces(faces) => Err(stop(levels, faces)),
         // What is meant by 0.1 is not the binary fraction a little above or below it.
-        Goal::Ratio(ratio) => Target::Faces((all as f64 * ratio + 1e-6).floor() as usize),
-        Goal::Error(error) => Target::Error(error),
+        Goal::Ratio(ratio) => Err(stop(levels, (all as f64 * ratio + 1e-6).floor() as usize)),
+        Goal::Error(error) => Ok(within(levels, error)),
     }
 }
 
+/// Goes on until at most so many faces are left, and tells why it stopped.
 fn stop(levels: &mut impl Level, faces: usize) -> Stopped {
     if levels.until(faces) { Stopped::Reached } else { Stopped::Stuck }
 }

@@ -79,8 +79,9 @@ impl Made<'_> {
                         nearest = nearest.min(square);
                     }
                 });
-                let start = self.start(face as usize);
-                if nearest < f64::INFINITY && !probes.of(lane).looks_along(self.original, start, nearest) {
+                if nearest < f64::INFINITY
+                    && !probes.of(lane).looks_along(self.original, self.start(face as usize), nearest)
+                {
                     suspects.push(face);
                 }
             }

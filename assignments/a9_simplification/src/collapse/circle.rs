@@ -1,5 +1,6 @@
 //! The corners around each point, and who is whose neighbour there: eight corners are asked side by side.
 
+use crate::collapse::counted::{begin, begin_again};
 use crate::collapse::surface::{Face, NONE, Surface, previous};
 use common::math::lanes::LANES;
 use common::simd::{Simd, SimdBase, SimdMask, i32x8};
@@ -13,11 +14,7 @@ pub(super) struct Around {
 impl Around {
     /// Of a surface; `first` tells how many half-edges leave each point, and 0.
     pub(super) fn new(surface: &Surface, mut first: Vec<u32>) -> Self {
-        let mut before = 0;
-        for first in &mut first {
-            (*first, before) = (before, before + *first);
-        }
-        let mut leaves = vec![0; before as usize];
+        let mut leaves = vec![0; begin(&mut first) as usize];
         for (face, corners) in (0..).zip(surface.faces.iter().map(Face::corners)) {
             for (h, point) in (4 * face..).zip(corners) {
                 let free = &mut first[point as usize];
@@ -25,9 +22,7 @@ impl Around {
                 *free += 1;
             }
         }
-        // Those of each point end where the next begin.
-        first.rotate_right(1);
-        first[0] = 0;
+        begin_again(&mut first);
         Self { first, leaves }
     }
 

@@ -113,14 +113,19 @@ fn wide<S: Simd>(simd: S, v: Vectors<f32x8<S>>) -> Vectors<f64x8<S>> {
     [widen(simd, v[0]), widen(simd, v[1]), widen(simd, v[2])]
 }
 
+/// In terms of the largest component.
+#[inline(always)]
+pub(super) fn by_largest<S: Simd>([x, y, z]: Vectors<f64x8<S>>) -> Vectors<f64x8<S>> {
+    let largest = x.abs().max(y.abs().max(z.abs()));
+    [x / largest, y / largest, z / largest]
+}
+
 /// Eight directions, each in units of 1/511 of its largest component, ten bits for each. Of a normal without length all
 /// are zero, along which every direction looks.
 #[inline(always)]
 pub(super) fn looks<S: Simd>(simd: S, normal: Vectors<f64x8<S>>) -> [i32; LANES] {
-    let largest = normal[0].abs().max(normal[1].abs().max(normal[2].abs()));
-    let x = ten_bits(simd, normal[0] / largest);
-    let y = ten_bits(simd, normal[1] / largest);
-    let z = ten_bits(simd, normal[2] / largest);
+    let [x, y, z] = by_largest(normal);
+    let (x, y, z) = (ten_bits(simd, x), ten_bits(simd, y), ten_bits(simd, z));
     let mut looks = [0; LANES];
     (x | (y << 10) | (z << 20)).store_slice(&mut looks);
     looks

@@ -1,7 +1,6 @@
 //! Cubic cells that are found by hashing, so that neither empty space nor a crowded corner of it
 //! costs anything.
 
-use common::math::Vec3;
 use common::math::lanes::{LANES, Vectors, scale, subtract};
 use common::simd::{Simd, SimdBase, SimdMask, f32x8, i32x8};
 
@@ -57,24 +56,8 @@ impl Lattice {
         self.last_slot + 1
     }
 
-    /// The cell of a place along an axis. What is near zero or very far off shares cells with what is
-    /// beside it: all that matters is that numbers never fall along an axis.
-    #[inline(always)]
-    fn cell(&self, x: f32) -> i32 {
-        (x * self.fineness).clamp(-FARTHEST, FARTHEST) as i32
-    }
-
-    /// The cells that a box meets; `None` if there are so many that it is better not to ask for each.
-    pub(super) fn cells(&self, low: Vec3, high: Vec3) -> Option<Cells> {
-        let [x, y, z] = [self.cell(low.x), self.cell(low.y), self.cell(low.z)];
-        let more = [self.cell(high.x) - x, self.cell(high.y) - y, self.cell(high.z) - z];
-        let are_few =
-            more.iter().map(|&more| f64::from(more) + 1.0).product::<f64>() <= f64::from(MOST_CELLS);
-        let slot = x.wrapping_add(y.wrapping_mul(BESIDE)).wrapping_add(z.wrapping_mul(BEHIND));
-        are_few.then_some(Cells { slot, more: more[0] | more[1] << 10 | more[2] << 20 })
-    }
-
-    /// The cells of eight places.
+    /// The cells of eight places. What is near zero or very far off shares cells with what is beside it: all that matters is
+    /// that numbers never fall along an axis.
     #[inline(always)]
     fn eight_cells<S: Simd>(&self, simd: S, places: Vectors<f32x8<S>>) -> Vectors<i32x8<S>> {
         let (least, most) = (f32x8::splat(simd, -FARTHEST), f32x8::splat(simd, FARTHEST));

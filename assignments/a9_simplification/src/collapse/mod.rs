@@ -13,6 +13,7 @@ mod build;
 mod cells;
 mod circle;
 mod cost;
+mod counted;
 mod deviation;
 mod drawers;
 mod eight;

@@ -1,8 +1,9 @@
 //! The faces of a surface in cubic cells: which are near a place, and do not look where one looks oneself?
 
+use crate::collapse::counted::{begin, begin_again};
 use crate::collapse::eight::{Eight, Frame, eight_from};
-use crate::collapse::lattice::{Cells, Lattice, Met};
-use crate::collapse::packed::{Block, Question, Questions, ROUNDING, Scale};
+use crate::collapse::lattice::{Lattice, Met};
+use crate::collapse::packed::{Block, Questions, ROUNDING, Scale};
 use crate::collapse::surface::Surface;
 use common::math::lanes::{LANES, Vectors, add, narrow, subtract};
 use common::math::{DVec3, Vec3};
@@ -58,23 +59,18 @@ impl<'a> Nearby<'a> {
     #[inline(always)]
     fn sort<S: Simd>(&mut self, simd: S) {
         let mut eights = Vec::with_capacity(self.surface.faces.len().div_ceil(LANES));
-        let all = self.count(simd, &mut eights);
-        let mut before = 0;
-        for first in &mut self.first {
-            (*first, before) = (before, before + *first);
-        }
+        self.count(simd, &mut eights);
+        let all = begin(&mut self.first) as usize;
         // What is left over of the last eight is a face without size that looks nowhere: it may be told.
         self.blocks = vec![Block::EMPTY; all.div_ceil(LANES)];
         self.fill(&eights);
-        // Each slot has been filled to where the next begins.
-        self.first.rotate_right(1);
-        self.first[0] = 0;
+        begin_again(&mut self.first);
     }
 
-    /// Finds out in which slots each face is, how many there are in each slot, and how many in all.
+    /// Finds out in which slots each face is, and how many there are in each.
     #[inline(always)]
-    fn count<S: Simd>(&mut self, simd: S, eights: &mut Vec<Eight>) -> usize {
-        let (last, mut all) = (self.surface.faces.len() as u32, 0);
+    fn count<S: Simd>(&mut self, simd: S, eights: &mut Vec<Eight>) {
+        let last = self.surface.faces.len() as u32;
         for first in (0..last).step_by(LANES) {
             let faces = eight_from(first, last);
             let eight = Eight::new(simd, self.surface, &faces, (self.frame, self.scale, self.lattice));
@@ -86,12 +82,10 @@ impl<'a> Nearby<'a> {
                 }
                 for slot in self.lattice.slots_of(eight.cells.cells(lane)) {
                     self.first[slot] += 1;
-                    all += 1;
                 }
             }
             eights.push(eight);
         }
-        all
     }
 
     /// Puts the faces into their slots.
@@ -111,67 +105,41 @@ impl<'a> Nearby<'a> {
         }
     }
 
-    /// What is asked by [`Nearby::near`] from eight places.
+    /// What is asked from eight places: which faces are as near as one looks, and do not look along a normal that is given in
+    /// terms of its largest component?
     #[inline(always)]
     pub(super) fn ask<S: Simd>(
         &self,
         simd: S,
         (at, reach): (Vectors<f64x8<S>>, f64x8<S>),
-        normal: Vectors<f64x8<S>>,
+        normal: Vectors<f32x8<S>>,
     ) -> Asked {
         let origin = self.frame.origin.as_dvec3() * self.surface.scale;
         let of = |x: f64| f64x8::splat(simd, x);
         let [x, y, z] = subtract(at, [of(origin.x), of(origin.y), of(origin.z)]);
         let p = [narrow(simd, x), narrow(simd, y), narrow(simd, z)];
         let reach = narrow(simd, reach) + f32x8::splat(simd, ROUNDING);
-        let largest = normal[0].abs().max(normal[1].abs().max(normal[2].abs()));
-        let normal = [
-            narrow(simd, normal[0] / largest),
-            narrow(simd, normal[1] / largest),
-            narrow(simd, normal[2] / largest),
-        ];
         let aside = reach + f32x8::splat(simd, self.lattice.spread());
         let cells = self.lattice.met(simd, subtract(p, [aside; 3]), add(p, [aside; 3]));
         Asked { questions: self.scale.questions(simd, p, reach, normal), cells }
     }
 
     /// Calls `what` with every face that meets the cells around one of eight places, as far as one looks, and is not known
-    /// to look along a normal; with some of them more than once, and with others that are only near.
+    /// to look along a normal; with some of them more than once, and with others that are only near. If there is no normal,
+    /// nothing looks along it.
     #[inline(always)]
-    pub(super) fn tell<S: Simd>(&self, simd: S, asked: &Asked, lane: usize, what: impl FnMut(u32)) {
+    pub(super) fn tell<S: Simd>(&self, simd: S, asked: &Asked, lane: usize, mut what: impl FnMut(u32)) {
         if (asked.cells.many | asked.questions.too_far) >> lane & 1 != 0 {
             return (0..self.surface.faces.len() as u32).for_each(what);
         }
-        self.tell_of(simd, asked.cells.cells(lane), &asked.questions.of(lane), what);
-    }
-
-    /// The same for one place; if there is no normal, nothing looks along it. It is given in terms of its largest component.
-    #[inline(always)]
-    pub(super) fn near<S: Simd>(
-        &self,
-        simd: S,
-        (at, reach): (DVec3, f64),
-        normal: Vec3,
-        what: impl FnMut(u32),
-    ) {
-        let origin = self.frame.origin.as_dvec3() * self.surface.scale;
-        let (p, reach) = ((at - origin).as_vec3(), reach as f32 + ROUNDING);
-        let aside = reach + self.lattice.spread();
-        match (self.lattice.cells(p - aside, p + aside), self.scale.question(p, reach, normal)) {
-            (Some(cells), Some(question)) => self.tell_of(simd, cells, &question, what),
-            _ => (0..self.surface.faces.len() as u32).for_each(what),
-        }
-    }
-
-    #[inline(always)]
-    fn tell_of<S: Simd>(&self, simd: S, cells: Cells, question: &Question, mut what: impl FnMut(u32)) {
-        for slot in self.lattice.slots_of(cells) {
+        let question = asked.questions.of(lane);
+        for slot in self.lattice.slots_of(asked.cells.cells(lane)) {
             let (from, to) = (self.first[slot] as usize, self.first[slot + 1] as usize);
             if from == to {
                 continue;
             }
             for block in &self.blocks[from / LANES..to.div_ceil(LANES)] {
-                let mut found = block.found(simd, question);
+                let mut found = block.found(simd, &question);
                 while found != 0 {
                     what(block.numbers[found.trailing_zeros() as usize]);
                     found &= found - 1;
@@ -181,10 +149,28 @@ impl<'a> Nearby<'a> {
         self.large.iter().for_each(|&face| what(face));
     }
 
+    /// The same for one place.
+    #[inline(always)]
+    pub(super) fn near<S: Simd>(
+        &self,
+        simd: S,
+        (at, reach): (DVec3, f64),
+        normal: Vec3,
+        what: impl FnMut(u32),
+    ) {
+        let of = |x: f64| f64x8::splat(simd, x);
+        let single = |x: f32| f32x8::splat(simd, x);
+        let normal = [single(normal.x), single(normal.y), single(normal.z)];
+        let asked = self.ask(simd, ([of(at.x), of(at.y), of(at.z)], of(reach)), normal);
+        self.tell(simd, &asked, 0, what);
+    }
+
     /// Bytes that are held for all faces.
     #[cfg(test)]
     pub(super) fn bytes(&self) -> usize {
-        4 * self.first.capacity() + size_of::<Block>() * self.blocks.capacity()
+        4 * self.first.capacity()
+            + size_of::<Block>() * self.blocks.capacity()
+            + size_of::<Eight>() * self.surface.faces.len().div_ceil(LANES)
     }
 }
 

@@ -57,10 +57,6 @@ impl Scale {
         Self(units.min(FINEST))
     }
 
-    fn whole(self, p: Vec3) -> [i32; 3] {
-        (p * self.0).to_array().map(|x| x as i32)
-    }
-
     /// Eight balls.
     #[inline(always)]
     pub(super) fn balls<S: Simd>(self, simd: S, middle: Vectors<f32x8<S>>, reach: f32x8<S>) -> Packed {
@@ -77,14 +73,6 @@ impl Scale {
         ((z & low) | (simd.cvt_i32_f32x8(reach) << 16)).store_slice(&mut z_reach);
         Packed { xy, z_reach, too_large: !is_small.to_bitmask() & 0xff }
     }
-
-    /// What one asks from a place, as far as one looks and along a normal whose largest component is 1; `None` if that is
-    /// too far.
-    #[inline(always)]
-    pub(super) fn question(self, at: Vec3, reach: f32, normal: Vec3) -> Option<Question> {
-        let reach = (reach + ROUNDING) * self.0 + WHOLE;
-        (reach < LARGEST).then(|| Question { at: self.whole(at), reach, normal })
-    }
 }
 
 /// What is asked from eight places.
@@ -98,7 +86,7 @@ pub(super) struct Questions {
 }
 
 impl Scale {
-    /// See [`Scale::question`].
+    /// What one asks from eight places, as far as one looks and along normals whose largest component is 1.
     #[inline(always)]
     pub(super) fn questions<S: Simd>(
         self,

@@ -2,11 +2,11 @@
 //! from their middles at most.
 
 use crate::collapse::against::{Made, Probe};
-use crate::collapse::eight::{corners_at, normals_of, points_at};
+use crate::collapse::eight::{by_largest, corners_at, normals_of, points_at};
 use crate::collapse::nearby::{Asked, Nearby};
 use crate::collapse::witness::FARTHER;
 use common::math::DVec3;
-use common::math::lanes::{LANES, Stored, Vectors, add, dot, scale, store_wide, subtract};
+use common::math::lanes::{LANES, Stored, Vectors, add, dot, narrow, scale, store_wide, subtract};
 use common::simd::{Simd, SimdBase, SimdFloat, f64x8};
 
 /// Eight [`Probe`]s, and what they ask.
@@ -35,11 +35,13 @@ impl Probes {
         let square = square_at_most(simd, corners_at(simd, made.original, &was), middle);
         // What is no number has lost.
         let reach = square.min_precise(dot(to_start, to_start)).sqrt() * f64x8::splat(simd, FARTHER);
+        let [x, y, z] = by_largest(normal);
+        let way = [narrow(simd, x), narrow(simd, y), narrow(simd, z)];
         let mut probes = Self {
             middle: store_wide(middle),
             normal: store_wide(normal),
             reach: [0.0; LANES],
-            asked: sorted.ask(simd, (middle, reach), normal),
+            asked: sorted.ask(simd, (middle, reach), way),
         };
         reach.store_slice(&mut probes.reach);
         probes

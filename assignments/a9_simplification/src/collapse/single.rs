@@ -99,3 +99,38 @@ pub(super) fn planes<S: Simd>(simd: S, normal: Vectors<f64x8<S>>) -> [f32x8<S>; 
     ];
     turned(simd, entries)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collapse::eight::normals;
+    use crate::collapse::memoryless::plane;
+    use crate::collapse::scattered::{random, scattered};
+    use crate::collapse::surface::Surface;
+    use common::simd::{self, dispatch};
+
+    #[inline(always)]
+    fn rows<S: Simd>(simd: S, surface: &Surface, faces: &[u32; LANES]) -> [[f32; LANES]; LANES] {
+        let mut rows = [[0.0; LANES]; LANES];
+        for (row, plane) in rows.iter_mut().zip(planes(simd, normals(simd, surface, faces))) {
+            plane.store_slice(row);
+        }
+        rows
+    }
+
+    #[test]
+    fn planes_of_eight_faces_are_those_of_each() {
+        let mut surface = scattered(400, &mut random());
+        // One without area.
+        let [a, _, c] = surface.faces[7].corners().map(|point| point as usize);
+        surface.points[c].at = surface.points[a].at;
+        for first in (0..400).step_by(LANES) {
+            let faces = std::array::from_fn(|lane| first + lane as u32);
+            let rows = dispatch!(simd::level(), s => rows(s, &surface, &faces));
+            for (face, row) in faces.into_iter().zip(rows) {
+                let [xx, xy, xz, yy, yz, zz] = plane(surface.normal(face as usize)).single();
+                assert_eq!(row, [xx, xy, xz, yy, yz, zz, 0.0, 0.0]);
+            }
+        }
+    }
+}
